@@ -1,0 +1,144 @@
+"""What the `run` scripts of the examples share: finding the program, running cases with progress and time left,
+reading CSV and dump files. Needs nothing but Python.
+
+A case is any object with name, script, variables (for -var) and weight (expected run time, relative).
+Environment: LMP=<program> (default ../../build/lmp), JOBS=<n>: runs at the same time (default: 2 where there are
+two processors), PYTHON=<python3 with numpy and matplotlib> for the pictures."""
+
+import csv
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+
+
+def say(*words, **more):
+    print(*words, flush=True, **more)
+
+
+def program(here):
+    """LMP, or build/lmp, as the command line of a run in this folder shows it."""
+    lmp = os.environ.get("LMP") or str(here / "../../build/lmp")
+    found = shutil.which(lmp)
+    if not found:
+        sys.exit(f"There is no program {lmp}: build it with \"./sphsolid build\", or set LMP.")
+    return os.path.abspath(found) if os.environ.get("LMP") else os.path.relpath(os.path.abspath(found), here)
+
+
+def empty(output):
+    """The output folder without what an earlier run left there."""
+    output.mkdir(exist_ok=True)
+    for old in output.iterdir():
+        if old.suffix in (".csv", ".dump", ".log", ".png", ".md"):
+            old.unlink()
+
+
+def simulate(here, lmp, case):
+    command = [lmp, "-in", case.script, "-log", f"output/{case.name}.log", "-screen", "none"]
+    for name, value in {**case.variables, "label": case.name}.items():
+        command += ["-var", name, str(value)]
+    say("+", shlex.join(command))
+    start = time.monotonic()
+    result = subprocess.run(command, cwd=here, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                            env={**os.environ, "OMP_NUM_THREADS": "1"})
+    return case, result, time.monotonic() - start
+
+
+def simulate_all(here, lmp, cases):
+    """Runs the cases; {name: last error message} of those that did not come to their end."""
+    workers = int(os.environ.get("JOBS") or min(2, os.cpu_count() or 1))
+    total, done, start, failed = sum(case.weight for case in cases), 0.0, time.monotonic(), {}
+    say("+ cd", shlex.quote(os.path.relpath(here)))
+    with ThreadPoolExecutor(workers) as pool:
+        waiting = {pool.submit(simulate, here, lmp, case) for case in sorted(cases, key=lambda c: -c.weight)}
+        count = 0
+        while waiting:
+            finished, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+            for future in finished:
+                case, result, seconds = future.result()
+                count, done = count + 1, done + case.weight
+                left = (time.monotonic() - start) * (total - done) / done
+                say(f"[{count}/{len(cases)}] {case.name}: {seconds:.1f} s, about {left:.0f} s left")
+                if result.returncode:
+                    failed[case.name] = last_error(here / "output" / f"{case.name}.log")
+                    say(f"{case.name} ended with status {result.returncode}: {failed[case.name]}", result.stderr)
+    return failed
+
+
+def last_error(log):
+    lines = log.read_text().splitlines() if log.exists() else []
+    errors = [line for line in lines if "ERROR" in line]
+    return errors[-1] if errors else " / ".join(lines[-3:])
+
+
+def draw(here):
+    """plot.py of the example; True if it made its pictures."""
+    command = [os.environ.get("PYTHON") or "python3", "plot.py"]
+    say("+", shlex.join(command))
+    return subprocess.run(command, cwd=here).returncode == 0
+
+
+def verdict(failed, complaints, plotted, gated):
+    """Says what went wrong, and ends with status 1 if anything did."""
+    for name, why in failed.items():
+        say(f"FAILED: {name} did not run: {why}")
+    for complaint in complaints:
+        say(f"FAILED: {complaint}")
+    if not plotted:
+        say("FAILED: no pictures")
+    if failed or complaints or not plotted:
+        sys.exit(1)
+    say(f"All {gated} gated runs meet their figures.")
+
+
+# ---- files --------------------------------------------------------------------------------------------------
+
+def columns(path):
+    """A CSV file as a dictionary of columns."""
+    with open(path) as file:
+        rows = [row for row in csv.reader(file) if row]
+    return {name: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
+
+
+def at(x, xs, ys):
+    """Linear interpolation; the last value beyond the end."""
+    for k in range(1, len(xs)):
+        if x <= xs[k]:
+            return ys[k - 1] + (ys[k] - ys[k - 1]) * (x - xs[k - 1]) / (xs[k] - xs[k - 1])
+    return ys[-1]
+
+
+def snapshots(path):
+    """The snapshots of a dump file: a list of (time in s, {column: values}), sorted by particle."""
+    shots = []
+    with open(path) as file:
+        moment = 0.0
+        for line in file:
+            if line.startswith("ITEM: TIME\n"):
+                moment = float(next(file))
+            elif line.startswith("ITEM: NUMBER"):
+                count = int(next(file))
+            elif line.startswith("ITEM: ATOMS"):
+                names = line.split()[2:]
+                rows = [[float(word) for word in next(file).split()] for _ in range(count)]
+                shots.append((moment, {name: [row[k] for row in rows] for k, name in enumerate(names)}))
+    return shots
+
+
+def seconds(log):
+    """CPU seconds of all runs in a log file."""
+    text = pathlib.Path(log).read_text()
+    loops = re.findall(r"Loop time of (\S+)", text)
+    shares = re.findall(r"([\d.]+)% CPU use", text)
+    return sum(float(a) * float(b) / 100 for a, b in zip(loops, shares))
+
+
+def markdown(head, rows, left=1):
+    """A table; the first columns left, the others right."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * left + "--:|" * (len(head) - left)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"

@@ -1,0 +1,122 @@
+"""The runs of this example, as data: add a line here and run, table and pictures follow."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Case:
+    name: str                   # of the files in output/
+    title: str                  # in the table and the pictures
+    part: str                   # of the list: what `run` takes as a word
+    block: str                  # of the table
+    wall: str                   # contact or symmetry
+    h: float                    # in spacings
+    variables: dict = field(default_factory=dict)
+    script: str = "in.taylor"
+    frame: str = "eulerian"
+    refine: int = 1
+    speed: float = 200.0        # m/s
+    tend: float = 50.0          # us
+    gates: str = ""             # name of the figures in measure.GATES that it must meet
+    known: tuple = ()           # those it is known to miss: said, but no failure
+    may_fail: bool = False      # a run that shows where a frame ends
+    quick: bool = False         # part of the short version
+    weight: float = 1.0         # expected run time, relative
+
+    @property
+    def gated(self):
+        return bool(self.gates)
+
+
+WALLS = ("contact", "symmetry")
+SMOOTHING = (1.3, 1.5)          # of the Eulerian runs
+SMOOTHING_LAGRANGIAN = (1.0, 1.3)
+LATTICES = {1: "21 x 67", 2: "41 x 133", 3: "61 x 199", 4: "81 x 265"}
+SPEEDS = (100, 200, 300, 400, 500, 600)
+VISCOSITIES = {                 # name of the files, title, viscosity
+    "none": ("no viscosity", "none"),
+    "0.2": ("(0.2, 0.2)", "monaghan 0.2 0.2"),
+    "0.5": ("(0.5, 0.5)", "monaghan 0.5 0.5"),
+    "1.0": ("(1, 1)", "monaghan 1 1"),
+    "2.5": ("(2.5, 2.5)", "monaghan 2.5 2.5"),
+    "limited": ("limited (0.5, 0.5)", "limited 0.5 0.5"),
+    "correct": ("correct", "correct"),
+}
+
+
+# ---- frame eulerian: the article's figures ------------------------------------------------------------------
+
+def eulerian(key, wall, h, gradient, **more):
+    title, viscosity = VISCOSITIES[key]
+    return Case(f"{wall}-h{h}-{gradient}-{key}", title, "eulerian", f"frame eulerian, gradient {gradient}", wall, h,
+                {"frame": "eulerian", "viscosity": viscosity, "wall": wall, "h": h, "gradient": gradient}, **more)
+
+
+def stock(name, title, **variables):
+    return Case(name, title, "stock", "stock smd/ulsph", "symmetry", 1.5, variables, script="in.taylor.ulsph", weight=4.0)
+
+
+# ---- frame lagrangian: the default --------------------------------------------------------------------------
+
+def name_of(key, wall="contact", h=1.0, frame="lagrangian", refine=1):
+    """Of a Lagrangian run, or of one of the refinement study."""
+    if refine > 1:
+        return f"refine-{frame}-{refine}x-{key}"
+    return f"lagrangian-{wall}-h{h}-{key}" if frame == "lagrangian" else f"{wall}-h{h}-corrected-{key}"
+
+
+def lagrangian(key, wall, h, **more):
+    title, viscosity = VISCOSITIES[key]
+    return Case(name_of(key, wall, h), title, "lagrangian", "frame lagrangian", wall, h,
+                {"frame": "lagrangian", "viscosity": viscosity, "wall": wall, "h": h}, frame="lagrangian",
+                weight=1.2 if h < 1.2 else 1.7, **more)
+
+
+# ---- finer lattices, and speeds -----------------------------------------------------------------------------
+
+H = {"lagrangian": 1.0, "eulerian": 1.5}    # of these two studies
+
+
+def finer(key, frame, refine, **more):
+    title, viscosity = VISCOSITIES[key]
+    return Case(name_of(key, "contact", H[frame], frame, refine), title, "refine", "finer lattices", "contact", H[frame],
+                {"frame": frame, "viscosity": viscosity, "h": H[frame], "refine": refine}, frame=frame, refine=refine,
+                weight=1.2 * refine ** 3, **more)
+
+
+def fast(speed):
+    return Case(f"speed-{speed}", "correct", "speed", "speeds", "contact", 1.0,
+                {"speed": f"{speed}.0", "tend": "80e-6", "half": 0.1}, frame="lagrangian", speed=speed, tend=80.0,
+                may_fail=True, weight=1.5 + speed / 200)
+
+
+def all_cases():
+    for wall in WALLS:
+        for h in SMOOTHING_LAGRANGIAN:
+            for key in ("none", "0.5", "1.0", "limited", "correct"):
+                default = key == "correct" and h == 1.0
+                yield lagrangian(key, wall, h, gates=f"lagrangian {wall}" if key == "correct" else "", quick=default)
+    for wall in WALLS:
+        for h in SMOOTHING:
+            for key in ("none", "0.2", "0.5", "1.0", "2.5", "correct"):
+                yield eulerian(key, wall, h, "corrected", gates="eulerian" if key == "correct" else "",
+                               quick=key == "correct" and h == 1.5)
+    for key in ("none", "0.2", "0.5", "1.0", "2.5", "correct"):
+        yield eulerian(key, "contact", 1.5, "plain")
+    for key in ("0.5", "correct"):
+        yield eulerian(key, "contact", 1.3, "plain")
+    yield stock("ulsph-1.0", "Q1 = 1", viscosity=1.0)
+    yield stock("ulsph-0.3", "Q1 = 0.3", viscosity=0.3)
+    yield finer("correct", "lagrangian", 2, gates="lagrangian 2x")
+    yield finer("0.5", "lagrangian", 2)
+    yield finer("correct", "eulerian", 2)
+    yield finer("0.5", "eulerian", 2)
+    yield finer("correct", "lagrangian", 3)
+    for speed in SPEEDS:
+        yield fast(speed)
+
+
+PARTS = {"lagrangian", "eulerian", "stock", "refine", "speed"}
+STUDIES = {"refine", "speed"}   # these take longer, and are asked for by name
+CASES = list(all_cases())
+BY_NAME = {case.name: case for case in CASES}

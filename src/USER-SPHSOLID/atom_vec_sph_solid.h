@@ -1,0 +1,55 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#ifdef ATOM_CLASS
+// clang-format off
+AtomStyle(sph/solid,AtomVecSPHSolid);
+// clang-format on
+#else
+
+#ifndef LMP_ATOM_VEC_SPH_SOLID_H
+#define LMP_ATOM_VEC_SPH_SOLID_H
+
+#include "atom_vec.h"
+
+namespace LAMMPS_NS {
+
+// per-atom state of a solid that core LAMMPS has no array for
+
+struct SPHSolidArrays {
+  double **stress;       // deviatoric Cauchy stress xx yy zz xy xz yz [pressure]
+  double *epl;           // effective plastic strain [-]
+  double **vhalf;        // velocity at the last force evaluation, half a step back [velocity]
+  double *rho_weight;    // density behind the volume weights of that evaluation [density]
+};
+
+class AtomVecSPHSolid : virtual public AtomVec {
+ public:
+  AtomVecSPHSolid(class LAMMPS *);
+
+  void grow_pointers() override;
+  void data_atom_post(int) override;
+  int property_atom(const std::string &) override;
+  void pack_property_atom(int, double *, int, int) override;
+
+  // the arrays of this Atom instance, nullptr without atom style sph/solid
+  static SPHSolidArrays *arrays(class Atom *);
+
+ private:
+  SPHSolidArrays *own;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,237 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#include "fix_sph_solid.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "pair_sph_solid.h"
+#include "sph_solid_sweeps.h"
+#include "update.h"
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+/* ---------------------------------------------------------------------- */
+
+FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair(nullptr), heat(nullptr)
+{
+  if (narg != 3)
+    error->all(FLERR, 3, "Fix sph/solid has no arguments after its style, found '{}'", arg[3]);
+  time_integrate = 1;
+  dynamic_group_allow = 1;
+  restart_global = 1;
+  leading = false;
+  dt_pending = 0.0;
+  fingerprint = 0;
+  nmax = 0;
+}
+
+FixSPHSolid::~FixSPHSolid()
+{
+  memory->destroy(heat);
+}
+
+int FixSPHSolid::setmask()
+{
+  return INITIAL_INTEGRATE | FINAL_INTEGRATE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixSPHSolid *FixSPHSolid::leader(LAMMPS *lmp)
+{
+  for (const auto &fix : lmp->modify->get_fix_list())
+    if (strcmp(fix->style, "sph/solid") == 0) return dynamic_cast<FixSPHSolid *>(fix);
+  return nullptr;
+}
+
+/* ----------------------------------------------------------------------
+   a run that finds the velocities that the last one (or the restart file)
+   left behind continues it exactly; otherwise it starts from rest in time
+------------------------------------------------------------------------- */
+
+void FixSPHSolid::init()
+{
+  pair = PairSPHSolid::find(lmp, "Fix sph/solid");
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Fix sph/solid works with run_style verlet, not with {}",
+               update->integrate_style);
+  leading = (leader(lmp) == this);
+  if (dt_pending > 0.0 && fingerprint != 0 && fingerprint == velocity_fingerprint())
+    pair->continue_from_half_step();
+  else
+    dt_pending = 0.0;
+}
+
+void FixSPHSolid::setup(int)
+{
+  if (!pair->has_resumed()) dt_pending = 0.0;
+}
+
+void FixSPHSolid::post_run()
+{
+  fingerprint = velocity_fingerprint();
+}
+
+// fix_modify ID reference renew: the group's next run starts from the
+// configuration as it then is
+
+int FixSPHSolid::modify_param(int narg, char **arg)
+{
+  if (strcmp(arg[0], "reference") != 0) return 0;
+  if (narg < 2 || strcmp(arg[1], "renew") != 0)
+    error->all(FLERR, "Fix_modify reference of fix sph/solid: found '{}', expected renew",
+               narg < 2 ? "nothing" : arg[1]);
+  auto *p = PairSPHSolid::find(lmp, "Fix_modify reference of fix sph/solid");
+
+  // the heat still due belongs to the forces of the old reference
+  if (auto *fix = leader(lmp)) fix->settle();
+  p->renew_reference(groupbit);
+  return 2;
+}
+
+// a number that any change of a velocity or ID changes, and no change of order does
+
+bigint FixSPHSolid::velocity_fingerprint() const
+{
+  std::uint64_t mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    std::uint64_t hash = static_cast<std::uint64_t>(atom->tag[i]);
+    for (int k = 0; k < 3; k++) {
+      std::uint64_t bits;
+      std::memcpy(&bits, &atom->v[i][k], sizeof(bits));
+      hash = (hash ^ bits) * 0x9E3779B97F4A7C15ull;
+      hash ^= hash >> 29;
+    }
+    mine += hash;
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_UINT64_T, MPI_SUM, world);
+  return static_cast<bigint>(all | 1);
+}
+
+/* ----------------------------------------------------------------------
+   velocity Verlet: half kick, drift | forces | half kick.  The heat of both
+   half kicks around a force evaluation is added in one go before the drift:
+   at the mean velocities of the halves, v - dt1/4 a and v + dt2/4 a, the work
+   of the pair forces is exactly what the kicks do to the kinetic energy
+------------------------------------------------------------------------- */
+
+void FixSPHSolid::initial_integrate(int)
+{
+  if (leading) add_heat();
+  kick(0.5 * update->dt * force->ftm2v);
+
+  double **x = atom->x, **v = atom->v;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int k = 0; k < domain->dimension; k++) x[i][k] += update->dt * v[i][k];
+  }
+}
+
+void FixSPHSolid::final_integrate()
+{
+  kick(0.5 * update->dt * force->ftm2v);
+  dt_pending = update->dt;
+}
+
+void FixSPHSolid::kick(double dtf)
+{
+  double **v = atom->v, **f = atom->f, *rmass = atom->rmass;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double dtfm = dtf / rmass[i];
+    for (int k = 0; k < domain->dimension; k++) v[i][k] += dtfm * f[i][k];
+  }
+}
+
+void FixSPHSolid::add_heat()
+{
+  if (atom->nmax > nmax) {
+    nmax = atom->nmax;
+    memory->destroy(heat);
+    memory->create(heat, nmax, "sph/solid:heat");
+  }
+  const double dt1 = dt_pending, dt2 = update->dt;
+  pair->pair_heat(0.5 * (dt1 + dt2), 0.125 * (dt2 * dt2 - dt1 * dt1), heat, true);
+  take_up(heat);
+}
+
+// energies of own particles become energies per mass
+
+void FixSPHSolid::take_up(const double *energy)
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (pair->has_material(i)) atom->esph[i] += energy[i] / atom->rmass[i];
+}
+
+// the next run starts from rest in time
+
+void FixSPHSolid::settle()
+{
+  if (dt_pending > 0.0) {
+    std::vector<double> due(atom->nlocal + 1, 0.0);
+    pending_heat(due.data());
+    take_up(due.data());
+  }
+  dt_pending = 0.0;
+}
+
+void FixSPHSolid::pending_heat(double *out) const
+{
+  std::memset(out, 0, atom->nlocal * sizeof(double));
+  if (dt_pending == 0.0) return;
+  pair->require_current("The internal energy of sph/solid");
+  pair->pair_heat(0.5 * dt_pending, -0.125 * dt_pending * dt_pending, out, false);
+}
+
+/* ----------------------------------------------------------------------
+   restart: what this state needs to continue, and the energy ledger
+------------------------------------------------------------------------- */
+
+void FixSPHSolid::write_restart(FILE *fp)
+{
+  double list[6] = {dt_pending, 0.0, 0.0, 0.0, 0.0, 0.0};
+  const bigint mark = velocity_fingerprint();
+  std::memcpy(&list[1], &mark, sizeof(mark));
+  if (pair && leading) {
+    const SPHSolid::Ledger &l = pair->ledger();
+    double mine[4] = {l.plastic_work, l.viscous_heat, l.returned, l.hourglass};
+    MPI_Reduce(mine, list + 2, 4, MPI_DOUBLE, MPI_SUM, 0, world);
+  }
+  if (comm->me == 0) {
+    int size = sizeof(list);
+    fwrite(&size, sizeof(int), 1, fp);
+    fwrite(list, sizeof(double), 6, fp);
+  }
+}
+
+void FixSPHSolid::restart(char *buf)
+{
+  double list[6];
+  std::memcpy(list, buf, sizeof(list));
+  dt_pending = list[0];
+  std::memcpy(&fingerprint, &list[1], sizeof(fingerprint));
+  auto *p = dynamic_cast<PairSPHSolid *>(force->pair_match("sph/solid", 1));
+  if (p && leader(lmp) == this && comm->me == 0) p->ledger() = {list[2], list[3], list[4], list[5]};
+}

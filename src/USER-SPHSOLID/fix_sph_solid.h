@@ -1,0 +1,70 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(sph/solid,FixSPHSolid);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_SPH_SOLID_H
+#define LMP_FIX_SPH_SOLID_H
+
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+class FixSPHSolid : public Fix {
+ public:
+  FixSPHSolid(class LAMMPS *, int, char **);
+  ~FixSPHSolid() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void final_integrate() override;
+  void post_run() override;
+  int modify_param(int, char **) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  // atom->esph lags half a step behind x and v: the heat of that half step,
+  // in energy per particle, for output (all own atoms)
+  void pending_heat(double *) const;
+
+  // the fix that books heat for all of them: the first one defined
+  static FixSPHSolid *leader(class LAMMPS *);
+
+  // length of the step whose second half kick is not heated yet [time]
+  double pending_step() const { return dt_pending; }
+
+ private:
+  class PairSPHSolid *pair;
+  bool leading;
+  double dt_pending;    // time step of the half kick that is not heated yet
+  double *heat;         // of own atoms, scratch
+  int nmax;
+
+  bigint fingerprint;    // of all velocities when the last run ended
+
+  bigint velocity_fingerprint() const;
+  void add_heat();
+  void take_up(const double *);
+  void settle();
+  void kick(double);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

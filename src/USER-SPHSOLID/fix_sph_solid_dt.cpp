@@ -1,0 +1,125 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#include "fix_sph_solid_dt.h"
+
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "modify.h"
+#include "output.h"
+#include "pair_sph_solid.h"
+#include "update.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+/* ----------------------------------------------------------------------
+   fix ID group sph/solid/dt <every> <cfl> [max v] [min v]
+------------------------------------------------------------------------- */
+
+FixSPHSolidDt::FixSPHSolidDt(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), pair(nullptr)
+{
+  if (narg < 5) utils::missing_cmd_args(FLERR, "fix sph/solid/dt", error);
+  nevery = utils::inumeric(FLERR, arg[3], false, lmp);
+  cfl = utils::numeric(FLERR, arg[4], false, lmp);
+  if (nevery <= 0)
+    error->all(FLERR, 3, "Fix sph/solid/dt: every is {}: expected an integer > 0", arg[3]);
+  if (!(cfl > 0.0))
+    error->all(FLERR, 4, "Fix sph/solid/dt: cfl is {}: expected a number > 0", arg[4]);
+
+  dt_max = dt_min = 0.0;
+  for (int iarg = 5; iarg < narg; iarg += 2) {
+    const bool is_max = strcmp(arg[iarg], "max") == 0;
+    if (!is_max && strcmp(arg[iarg], "min") != 0)
+      error->all(FLERR, iarg, "Fix sph/solid/dt: unknown keyword '{}': expected max or min",
+                 arg[iarg]);
+    if (iarg + 2 > narg)
+      utils::missing_cmd_args(FLERR, std::string("fix sph/solid/dt ") + arg[iarg], error);
+    const double value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+    if (!(value > 0.0))
+      error->all(FLERR, iarg + 1, "Fix sph/solid/dt: {} is {}: expected a time step > 0", arg[iarg],
+                 arg[iarg + 1]);
+    (is_max ? dt_max : dt_min) = value;
+  }
+  if (dt_max > 0.0 && dt_min > dt_max)
+    error->all(FLERR, "Fix sph/solid/dt: min {} is larger than max {}", dt_min, dt_max);
+
+  scalar_flag = 1;
+  global_freq = 1;
+  extscalar = 0;
+  dynamic_group_allow = 1;
+  warned = false;
+}
+
+int FixSPHSolidDt::setmask()
+{
+  return END_OF_STEP;
+}
+
+void FixSPHSolidDt::init()
+{
+  pair = PairSPHSolid::find(lmp, "Fix sph/solid/dt");
+  warned = false;
+}
+
+// a setup that continues a run keeps that run's time step until it is due
+
+void FixSPHSolidDt::setup(int)
+{
+  if (!pair->has_resumed()) end_of_step();
+}
+
+/* ----------------------------------------------------------------------
+   the sequence of fix dt/reset: the elapsed time is booked before dt changes
+------------------------------------------------------------------------- */
+
+void FixSPHSolidDt::end_of_step()
+{
+  const double mine = pair->time_step_limit();
+  double dt = 0.0;
+  MPI_Allreduce(&mine, &dt, 1, MPI_DOUBLE, MPI_MIN, world);
+  dt *= cfl;
+  if (!std::isfinite(dt) || dt <= 0.0)
+    error->all(
+        FLERR, Error::NOLASTLINE,
+        "Fix sph/solid/dt: the time step limit in step {} is {}: expected a finite value > 0",
+        update->ntimestep, dt);
+  if (dt_max > 0.0 && dt > dt_max) dt = dt_max;
+  if (dt_min > 0.0 && dt < dt_min) {
+    if (!warned && comm->me == 0)
+      error->warning(
+          FLERR,
+          "Fix sph/solid/dt: the stable time step {:.6g} in step {} is below min {:.6g}, "
+          "which is used: the run may become unstable",
+          dt, update->ntimestep, dt_min);
+    warned = true;
+    dt = dt_min;
+  }
+
+  if (dt == update->dt) return;
+  update->update_time();
+  update->dt = dt;
+  update->dt_default = 0;
+  if (force->pair) force->pair->reset_dt();
+  for (const auto &fix : modify->get_fix_list()) fix->reset_dt();
+  output->reset_dt();
+}
+
+double FixSPHSolidDt::compute_scalar()
+{
+  return update->dt;
+}

@@ -1,0 +1,448 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#include "fix_sph_solid_partners.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "memory.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+// when partners outgrow the ghost cutoff, it grows by this much more than needed
+static constexpr double COVER_MORE = 1.25;
+
+/* ---------------------------------------------------------------------- */
+
+FixSPHSolidPartners::FixSPHSolidPartners(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), xref(nullptr), vref(nullptr), npartner(nullptr), partner(nullptr)
+{
+  restart_peratom = 1;
+  create_attribute = 1;
+  stores_ids = 1;
+  comm_border = 4;
+  comm_forward = 4;
+  maxexchange_dynamic = 1;
+  maxpartner = 0;
+
+  grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+  atom->add_callback(Atom::BORDER);
+  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+}
+
+FixSPHSolidPartners::~FixSPHSolidPartners()
+{
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+  atom->delete_callback(id, Atom::BORDER);
+  memory->destroy(xref);
+  memory->destroy(vref);
+  memory->destroy(npartner);
+  memory->destroy(partner);
+}
+
+int FixSPHSolidPartners::setmask()
+{
+  return PRE_EXCHANGE;
+}
+
+void FixSPHSolidPartners::init()
+{
+  const bool periodic = domain->xperiodic || domain->yperiodic ||
+      (domain->dimension == 3 && domain->zperiodic);
+  if (periodic && domain->triclinic)
+    error->all(FLERR, "sph/solid, frame lagrangian: a triclinic box cannot be periodic");
+  if (periodic && domain->box_change_size)
+    error->all(FLERR, "sph/solid, frame lagrangian: a periodic box cannot change its size");
+
+  // after a restart every rank knows its own rows only
+  int all;
+  MPI_Allreduce(&maxpartner, &all, 1, MPI_INT, MPI_MAX, world);
+  widen(all);
+}
+
+// more columns for IDs; tells Comm what to expect
+
+void FixSPHSolidPartners::widen(int n)
+{
+  if (n > maxpartner) {
+    tagint **wider;
+    memory->create(wider, atom->nmax, n, "sph/solid:partner");
+    for (int i = 0; i < atom->nlocal; i++)
+      for (int k = 0; k < npartner[i]; k++) wider[i][k] = partner[i][k];
+    memory->destroy(partner);
+    partner = wider;
+    maxpartner = n;
+  }
+  maxexchange = maxpartner + 5;
+}
+
+void FixSPHSolidPartners::forget(int groupbit)
+{
+  int mine = 0, cut = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++) {
+      const int j = atom->map(partner[i][k]);
+      if (j >= 0 && ((atom->mask[i] ^ atom->mask[j]) & groupbit)) mine = 1;
+    }
+  MPI_Allreduce(&mine, &cut, 1, MPI_INT, MPI_MAX, world);
+  if (cut)
+    error->all(FLERR,
+               "Fix_modify reference renew: the group of the fix ends inside a body: expected "
+               "whole bodies");
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) npartner[i] = -1;
+}
+
+bool FixSPHSolidPartners::anyone_without() const
+{
+  int mine = 0, any = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (npartner[i] < 0) mine = 1;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  return any != 0;
+}
+
+/* ----------------------------------------------------------------------
+   the present configuration becomes the reference of all particles that have
+   none: partners are all others of them inside the kernel
+------------------------------------------------------------------------- */
+
+void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag)
+{
+  // which ghosts are without a reference travels as a negative volume
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (npartner[i] >= 0) continue;
+    for (int k = 0; k < 3; k++) xref[i][k] = atom->x[i][k];
+    const int t = atom->type[i];
+    vref[i] = setflag[t][t] ? -atom->rmass[i] / atom->rho[i] : 0.0;
+  }
+  comm->forward_comm(this);
+
+  std::vector<std::vector<tagint>> found(atom->nlocal);
+  int most = maxpartner;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    if (npartner[i] >= 0 || !setflag[atom->type[i]][atom->type[i]]) continue;
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      double r2 = 0.0;
+      for (int k = 0; k < 3; k++)
+        r2 += (atom->x[i][k] - atom->x[j][k]) * (atom->x[i][k] - atom->x[j][k]);
+      if (vref[j] < 0.0 && r2 < cutsq[atom->type[i]][atom->type[j]])
+        found[i].push_back(atom->tag[j]);
+    }
+    std::sort(found[i].begin(), found[i].end());
+    if (std::adjacent_find(found[i].begin(), found[i].end()) != found[i].end())
+      error->one(
+          FLERR, Error::NOLASTLINE,
+          "sph/solid, frame lagrangian: particle {} sees the same partner twice: the periodic "
+          "box must be longer than two ranges of the kernel",
+          atom->tag[i]);
+    most = std::max(most, static_cast<int>(found[i].size()));
+  }
+
+  int all;
+  MPI_Allreduce(&most, &all, 1, MPI_INT, MPI_MAX, world);
+  widen(all);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (npartner[i] >= 0) continue;
+    npartner[i] = static_cast<int>(found[i].size());
+    std::copy(found[i].begin(), found[i].end(), partner[i]);
+  }
+  for (int i = 0; i < atom->nlocal + atom->nghost; i++) vref[i] = std::fabs(vref[i]);
+}
+
+/* ----------------------------------------------------------------------
+   where the partners are now
+------------------------------------------------------------------------- */
+
+void FixSPHSolidPartners::find(bool setup, int **setflag)
+{
+  const int nlocal = atom->nlocal;
+  own.clear();
+  index.clear();
+  count.assign(nlocal, 0);
+  row.assign(nlocal, nullptr);
+  std::vector<int> start(nlocal, 0);
+  std::vector<tagint> missing;
+  for (int i = 0; i < nlocal; i++) {
+    if (!setflag[atom->type[i]][atom->type[i]]) continue;
+    own.push_back(i);
+    start[i] = static_cast<int>(index.size());
+    for (int k = 0; k < npartner[i]; k++) {
+      const int j = atom->map(partner[i][k]);
+      if (j < 0)
+        missing.push_back(partner[i][k]);
+      else
+        index.push_back(domain->closest_image(i, j));
+    }
+    count[i] = static_cast<int>(index.size()) - start[i];
+  }
+  for (const int i : own) row[i] = index.data() + start[i];
+  resolve_missing(missing, setup);
+}
+
+// a partner that is nowhere has been deleted (between runs) or lost; one that
+// exists on another rank lies beyond the ghost cutoff
+
+void FixSPHSolidPartners::resolve_missing(std::vector<tagint> &missing, bool setup)
+{
+  int mine = static_cast<int>(missing.size()), total = 0;
+  if (comm->nprocs == 1)
+    total = mine;
+  else if (setup)
+    MPI_Allreduce(&mine, &total, 1, MPI_INT, MPI_SUM, world);
+  else if (mine)
+    error->one(
+        FLERR, Error::NOLASTLINE,
+        "sph/solid, frame lagrangian: particle {} is a partner of one on rank {} but neither "
+        "there nor among its ghosts in step {}: it is lost, or further away than the ghost "
+        "cutoff: try comm_modify cutoff {:.6g}",
+        missing[0], comm->me, update->ntimestep, 2.0 * comm->get_comm_cutoff());
+  if (total == 0) return;
+  if (!setup)
+    error->one(FLERR, Error::NOLASTLINE,
+               "sph/solid, frame lagrangian: particle {} has been lost by step {} and its partners "
+               "cannot go on without it",
+               missing[0], update->ntimestep);
+
+  // every rank learns what is missing anywhere, and who has it
+  std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
+  MPI_Allgather(&mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
+  for (int k = 1; k < comm->nprocs; k++) starts[k] = starts[k - 1] + sizes[k - 1];
+  std::vector<tagint> all(total);
+  MPI_Allgatherv(missing.data(), mine, MPI_LMP_TAGINT, all.data(), sizes.data(), starts.data(),
+                 MPI_LMP_TAGINT, world);
+  std::vector<int> have(total), anyone(total);
+  for (int k = 0; k < total; k++) {
+    const int i = atom->map(all[k]);
+    have[k] = (i >= 0 && i < atom->nlocal) ? 1 : 0;
+  }
+  MPI_Allreduce(have.data(), anyone.data(), total, MPI_INT, MPI_MAX, world);
+  std::vector<tagint> gone;
+  for (int k = 0; k < total; k++) {
+    if (anyone[k])
+      error->all(
+          FLERR, Error::NOLASTLINE,
+          "sph/solid, frame lagrangian: particle {} lies further away from a partner than the "
+          "ghost cutoff: expected a line like comm_modify cutoff {:.6g}",
+          all[k], 2.0 * comm->get_comm_cutoff());
+    gone.push_back(all[k]);
+  }
+  drop(gone);
+}
+
+void FixSPHSolidPartners::drop(const std::vector<tagint> &list)
+{
+  std::vector<tagint> gone = list;
+  std::sort(gone.begin(), gone.end());
+  gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
+  for (int i = 0; i < atom->nlocal; i++) {
+    int kept = 0;
+    for (int k = 0; k < npartner[i]; k++)
+      if (!std::binary_search(gone.begin(), gone.end(), partner[i][k]))
+        partner[i][kept++] = partner[i][k];
+    if (npartner[i] > 0) npartner[i] = kept;
+  }
+  if (comm->me == 0)
+    utils::logmesg(lmp, "sph/solid: {} particles are gone, their partners go on without them\n",
+                   gone.size());
+}
+
+/* ----------------------------------------------------------------------
+   stretched pairs: the ghost cutoff follows the largest distance of partners
+------------------------------------------------------------------------- */
+
+double FixSPHSolidPartners::largest_distance() const
+{
+  double mine = 0.0, all = 0.0;
+  for (const int i : own)
+    for (int k = 0; k < count[i]; k++) {
+      const double *a = atom->x[i], *b = atom->x[row[i][k]];
+      double r2 = 0.0;
+      for (int d = 0; d < 3; d++) r2 += (a[d] - b[d]) * (a[d] - b[d]);
+      mine = std::max(mine, r2);
+    }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return std::sqrt(all);
+}
+
+void FixSPHSolidPartners::cover()
+{
+  const bool own_all = comm->nprocs == 1 && !domain->xperiodic && !domain->yperiodic &&
+      (domain->dimension == 2 || !domain->zperiodic);
+  if (own_all) return;
+  const double distance = largest_distance() + 0.5 * neighbor->skin;    // ghosts lag one step
+  if (distance < comm->get_comm_cutoff()) return;
+  comm->cutghostuser = COVER_MORE * distance;
+  if (comm->me == 0)
+    utils::logmesg(lmp,
+                   "sph/solid: ghost cutoff enlarged to {:.6g} in step {}: partners have moved "
+                   "apart\n",
+                   comm->cutghostuser, update->ntimestep);
+}
+
+// the next borders have to reach the partners as they are now
+
+void FixSPHSolidPartners::pre_exchange()
+{
+  const double before = comm->cutghostuser;
+  cover();
+  if (comm->cutghostuser != before) comm->setup();
+}
+
+void FixSPHSolidPartners::post_run()
+{
+  cover();
+}
+
+/* ----------------------------------------------------------------------
+   per-atom data
+------------------------------------------------------------------------- */
+
+void FixSPHSolidPartners::grow_arrays(int nmax)
+{
+  memory->grow(npartner, nmax, "sph/solid:npartner");
+  memory->grow(partner, nmax, maxpartner, "sph/solid:partner");
+  memory->grow(xref, nmax, 3, "sph/solid:xref");
+  memory->grow(vref, nmax, "sph/solid:vref");
+}
+
+void FixSPHSolidPartners::copy_arrays(int i, int j, int)
+{
+  npartner[j] = npartner[i];
+  for (int k = 0; k < npartner[i]; k++) partner[j][k] = partner[i][k];
+  for (int k = 0; k < 3; k++) xref[j][k] = xref[i][k];
+  vref[j] = vref[i];
+}
+
+void FixSPHSolidPartners::set_arrays(int i)
+{
+  npartner[i] = -1;
+  for (int k = 0; k < 3; k++) xref[i][k] = 0.0;
+  vref[i] = 0.0;
+}
+
+int FixSPHSolidPartners::pack_row(int i, double *buf) const
+{
+  int m = 0;
+  buf[m++] = ubuf(npartner[i]).d;
+  for (int k = 0; k < npartner[i]; k++) buf[m++] = ubuf(partner[i][k]).d;
+  for (int k = 0; k < 3; k++) buf[m++] = xref[i][k];
+  buf[m++] = vref[i];
+  return m;
+}
+
+int FixSPHSolidPartners::unpack_row(int i, const double *buf)
+{
+  int m = 0;
+  npartner[i] = static_cast<int>(ubuf(buf[m++]).i);
+  for (int k = 0; k < npartner[i]; k++) partner[i][k] = static_cast<tagint>(ubuf(buf[m++]).i);
+  for (int k = 0; k < 3; k++) xref[i][k] = buf[m++];
+  vref[i] = buf[m++];
+  return m;
+}
+
+int FixSPHSolidPartners::pack_exchange(int i, double *buf)
+{
+  return pack_row(i, buf);
+}
+
+int FixSPHSolidPartners::unpack_exchange(int i, double *buf)
+{
+  return unpack_row(i, buf);
+}
+
+int FixSPHSolidPartners::pack_border(int n, int *list, double *buf)
+{
+  return pack_forward_comm(n, list, buf, 0, nullptr);
+}
+
+int FixSPHSolidPartners::unpack_border(int n, int first, double *buf)
+{
+  unpack_forward_comm(n, first, buf);
+  return 4 * n;
+}
+
+int FixSPHSolidPartners::pack_forward_comm(int n, int *list, double *buf, int, int *)
+{
+  int m = 0;
+  for (int k = 0; k < n; k++) {
+    const int i = list[k];
+    for (int d = 0; d < 3; d++) buf[m++] = xref[i][d];
+    buf[m++] = vref[i];
+  }
+  return m;
+}
+
+void FixSPHSolidPartners::unpack_forward_comm(int n, int first, double *buf)
+{
+  int m = 0;
+  for (int i = first; i < first + n; i++) {
+    for (int d = 0; d < 3; d++) xref[i][d] = buf[m++];
+    vref[i] = buf[m++];
+  }
+}
+
+/* ----------------------------------------------------------------------
+   restart: the length, then a row
+------------------------------------------------------------------------- */
+
+int FixSPHSolidPartners::size_restart(int i)
+{
+  return 6 + std::max(npartner[i], 0);
+}
+
+int FixSPHSolidPartners::maxsize_restart()
+{
+  return 6 + maxpartner;
+}
+
+int FixSPHSolidPartners::pack_restart(int i, double *buf)
+{
+  buf[0] = size_restart(i);
+  pack_row(i, buf + 1);
+  return size_restart(i);
+}
+
+void FixSPHSolidPartners::unpack_restart(int i, int nth)
+{
+  double *extra = atom->extra[i];
+  int m = 0;
+  for (int k = 0; k < nth; k++) m += static_cast<int>(extra[m]);
+  const int n = static_cast<int>(ubuf(extra[m + 1]).i);
+  widen(n);
+  unpack_row(i, extra + m + 1);
+}
+
+double FixSPHSolidPartners::memory_usage()
+{
+  double bytes =
+      (double) atom->nmax * (sizeof(int) + 4 * sizeof(double) + maxpartner * sizeof(tagint));
+  bytes += (double) index.capacity() * sizeof(int) + (double) row.capacity() * sizeof(int *);
+  bytes += (double) (own.capacity() + count.capacity()) * sizeof(int);
+  return bytes;
+}

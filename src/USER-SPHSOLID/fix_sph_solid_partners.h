@@ -1,0 +1,96 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(SPH/SOLID/PARTNERS,FixSPHSolidPartners);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_SPH_SOLID_PARTNERS_H
+#define LMP_FIX_SPH_SOLID_PARTNERS_H
+
+#include "fix.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+// reference configuration of the Lagrangian frame: position and volume of every
+// particle there, and the IDs of its partners.  Created by pair style sph/solid;
+// follows the particles across ranks and into restart files
+
+class FixSPHSolidPartners : public Fix {
+ public:
+  double **xref;    // reference position, own and ghost [length]
+  double *vref;     // reference volume, own and ghost [length^D]
+
+  FixSPHSolidPartners(class LAMMPS *, int, char **);
+  ~FixSPHSolidPartners() override;
+  int setmask() override;
+  void init() override;
+  void pre_exchange() override;
+  void post_run() override;
+
+  // particles of a group are without reference from now on
+  void forget(int groupbit);
+  // give those without one the present configuration; list: full neighbor list,
+  // setflag[t][t]: has type t a material
+  bool anyone_without() const;
+  void refer(class NeighList *list, double **cutsq, int **setflag);
+  // local indices of the partners of own particles, in the order of IDs; setup:
+  // partners may have been deleted before
+  void find(bool setup, int **setflag);
+
+  int nown() const { return static_cast<int>(own.size()); }
+  int *own_list() { return own.data(); }
+  int *counts() { return count.data(); }
+  int **rows() { return row.data(); }
+
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_border(int, int *, double *) override;
+  int unpack_border(int, int, double *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  double memory_usage() override;
+
+ private:
+  int *npartner;       // number of partners, -1: no reference yet
+  tagint **partner;    // their IDs, ascending
+  int maxpartner;      // columns of partner
+
+  // local view, valid until particles move between ranks
+  std::vector<int> own, count, index;
+  std::vector<int *> row;
+
+  int pack_row(int, double *) const;
+  int unpack_row(int, const double *);
+  void widen(int);
+  void resolve_missing(std::vector<tagint> &, bool setup);
+  void drop(const std::vector<tagint> &gone);
+  double largest_distance() const;
+  void cover();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

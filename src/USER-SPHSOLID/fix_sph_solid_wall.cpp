@@ -1,0 +1,208 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#include "fix_sph_solid_wall.h"
+
+#include "atom.h"
+#include "atom_vec_sph_solid.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_sph_solid.h"
+#include "modify.h"
+#include "pair_sph_solid.h"
+#include "update.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+// a particle this close to the plane, in smoothing lengths, is on it
+static constexpr double ON_PLANE = 1.0e-6;
+
+/* ----------------------------------------------------------------------
+   fix ID group sph/solid/wall <xlo|...|zhi> <position> [contact|symmetry]
+------------------------------------------------------------------------- */
+
+FixSPHSolidWall::FixSPHSolidWall(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair(nullptr)
+{
+  if (narg < 5) utils::missing_cmd_args(FLERR, "fix sph/solid/wall", error);
+  static const char *const SIDES[] = {"xlo", "xhi", "ylo", "yhi", "zlo", "zhi"};
+  int side = -1;
+  for (int k = 0; k < 6; k++)
+    if (strcmp(arg[3], SIDES[k]) == 0) side = k;
+  if (side < 0)
+    error->all(FLERR, 3,
+               "Fix sph/solid/wall: unknown side '{}': expected xlo, xhi, ylo, yhi, zlo "
+               "or zhi",
+               arg[3]);
+  dim = side / 2;
+  normal = (side % 2) ? -1.0 : 1.0;
+  plane = utils::numeric(FLERR, arg[4], false, lmp);
+
+  symmetry = false;
+  if (narg > 5) {
+    symmetry = strcmp(arg[5], "symmetry") == 0;
+    if (!symmetry && strcmp(arg[5], "contact") != 0)
+      error->all(FLERR, 5, "Fix sph/solid/wall: unknown kind '{}': expected contact or symmetry",
+                 arg[5]);
+  }
+  if (narg > 6)
+    error->all(FLERR, 6, "Fix sph/solid/wall: found '{}' after the last argument", arg[6]);
+  if (dim == 2 && domain->dimension == 2)
+    error->all(FLERR, 3, "Fix sph/solid/wall: side {} does not exist in two dimensions", arg[3]);
+  if (domain->periodicity[dim])
+    error->all(FLERR, 3,
+               "Fix sph/solid/wall: the box is periodic across side {}: expected a "
+               "boundary f, s or m",
+               arg[3]);
+
+  scalar_flag = vector_flag = 1;
+  size_vector = 3;
+  extscalar = extvector = 1;
+  global_freq = 1;
+  restart_global = 1;
+  dynamic_group_allow = 1;
+  work = reaction_v = reaction_a = reaction = 0.0;
+}
+
+int FixSPHSolidWall::setmask()
+{
+  return INITIAL_INTEGRATE | POST_FORCE;
+}
+
+void FixSPHSolidWall::init()
+{
+  pair = PairSPHSolid::find(lmp, "Fix sph/solid/wall");
+}
+
+void FixSPHSolidWall::setup(int)
+{
+  if (!pair->has_resumed()) require_in_front();
+  constrain(pair->has_resumed() ? CONTINUE : START);
+}
+
+void FixSPHSolidWall::require_in_front() const
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit) || !pair->has_material(i)) continue;
+    const double y = normal * (atom->x[i][dim] - plane);
+    if (y < -ON_PLANE * pair->smoothing_length(i))
+      error->one(
+          FLERR, Error::NOLASTLINE,
+          "Fix sph/solid/wall {}: particle {} at {:.8g} {:.8g} {:.8g} lies behind the wall at "
+          "{}",
+          id, atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2], plane);
+  }
+}
+
+// the second half kick of the last force evaluation happens now, with this dt
+
+void FixSPHSolidWall::initial_integrate(int)
+{
+  const double dt = update->dt;
+  work += 0.5 * dt * (reaction_v + 0.25 * dt * reaction_a);
+}
+
+void FixSPHSolidWall::post_force(int)
+{
+  constrain(STEP);
+}
+
+/* ----------------------------------------------------------------------
+   a particle whose step would cross the plane lands on it instead:
+   a_n = (-y/dt - v_n)/dt, with y the distance and v_n the velocity at the
+   half step (the first step of a run makes half a kick only: twice that).
+   Symmetry holds what is on the plane; its images are in the pair style
+------------------------------------------------------------------------- */
+
+void FixSPHSolidWall::constrain(Phase phase)
+{
+  double **x = atom->x, **f = atom->f, **v = atom->v;
+  double **vhalf = AtomVecSPHSolid::arrays(atom)->vhalf;
+  const auto *mover = FixSPHSolid::leader(lmp);
+  const double dt = (phase == CONTINUE && mover) ? mover->pending_step() : update->dt;
+  const double share = (phase == START) ? 0.5 : 1.0;
+  reaction = reaction_v = reaction_a = 0.0;
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit) || !pair->has_material(i)) continue;
+    const double mass = atom->rmass[i];
+    const double y = normal * (x[i][dim] - plane);
+    const double vn = normal * vhalf[i][dim], an = normal * f[i][dim] / mass;
+    const bool held = symmetry && std::fabs(y) < ON_PLANE * pair->smoothing_length(i);
+    if (!held && y + dt * (vn + share * dt * an) >= 0.0) continue;
+
+    const double landing = (-y / dt - vn) / (share * dt);
+    const double R = mass * (landing - an);
+    f[i][dim] = normal * mass * landing;
+
+    // work on the half kick of this step, and what the next one needs
+    if (phase == STEP) work += 0.5 * dt * R * (vn + 0.25 * dt * landing);
+    const double v_full = (phase == STEP) ? vn + 0.5 * dt * landing : normal * v[i][dim];
+    reaction += R;
+    reaction_v += R * v_full;
+    reaction_a += R * landing;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   scalar: work done by the wall; vector: its force on the bodies
+------------------------------------------------------------------------- */
+
+double FixSPHSolidWall::compute_scalar()
+{
+  double all = 0.0;
+  MPI_Allreduce(&work, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixSPHSolidWall::compute_vector(int k)
+{
+  if (k != dim) return 0.0;
+  double all = 0.0;
+  MPI_Allreduce(&reaction, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return normal * all;
+}
+
+double FixSPHSolidWall::energy_taken(LAMMPS *lmp)
+{
+  double sum = 0.0;
+  for (const auto &fix : lmp->modify->get_fix_list())
+    if (auto *wall = dynamic_cast<FixSPHSolidWall *>(fix)) sum -= wall->compute_scalar();
+  return sum;
+}
+
+/* ----------------------------------------------------------------------
+   restart: the work so far; the pending sums follow from the setup
+------------------------------------------------------------------------- */
+
+void FixSPHSolidWall::write_restart(FILE *fp)
+{
+  double total = compute_scalar();
+  if (comm->me == 0) {
+    int size = sizeof(double);
+    fwrite(&size, sizeof(int), 1, fp);
+    fwrite(&total, sizeof(double), 1, fp);
+  }
+}
+
+void FixSPHSolidWall::restart(char *buf)
+{
+  double total;
+  std::memcpy(&total, buf, sizeof(double));
+  work = (comm->me == 0) ? total : 0.0;
+}

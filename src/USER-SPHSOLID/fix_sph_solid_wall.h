@@ -1,0 +1,66 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(sph/solid/wall,FixSPHSolidWall);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_SPH_SOLID_WALL_H
+#define LMP_FIX_SPH_SOLID_WALL_H
+
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+class FixSPHSolidWall : public Fix {
+ public:
+  FixSPHSolidWall(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void post_force(int) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  bool is_symmetry() const { return symmetry; }
+  int dimension() const { return dim; }
+  double position() const { return plane; }
+
+  // energy that all walls have taken from the bodies so far
+  static double energy_taken(class LAMMPS *);
+
+ private:
+  class PairSPHSolid *pair;
+  int dim;          // direction of the normal
+  double normal;    // +1: the body lies above the plane, -1: below
+  double plane;
+  bool symmetry;
+
+  double work;                      // done by the wall on the bodies, this rank
+  double reaction_v, reaction_a;    // of the half kick to come: sums of R v and R a
+  double reaction;                  // total normal force, this rank
+
+  enum Phase { START, CONTINUE, STEP };
+  void constrain(Phase);
+  void require_in_front() const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,134 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#ifdef PAIR_CLASS
+// clang-format off
+PairStyle(sph/solid,PairSPHSolid);
+// clang-format on
+#else
+
+#ifndef LMP_PAIR_SPH_SOLID_H
+#define LMP_PAIR_SPH_SOLID_H
+
+#include "pair.h"
+
+namespace SPHSolid {
+class Sweeps;
+struct Ledger;
+struct NeighborRows;
+struct Options;
+struct Particles;
+struct TypeData;
+}    // namespace SPHSolid
+
+namespace LAMMPS_NS {
+
+class PairSPHSolid : public Pair {
+ public:
+  PairSPHSolid(class LAMMPS *);
+  ~PairSPHSolid() override;
+
+  void compute(int, int) override;
+  void settings(int, char **) override;
+  void coeff(int, char **) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  void write_restart(FILE *) override;
+  void read_restart(FILE *) override;
+  void write_restart_settings(FILE *) override;
+  void read_restart_settings(FILE *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  double memory_usage() override;
+
+  // for the fixes and computes of this package; all refer to the last force evaluation
+
+  // heat[i] = energy the pair forces give to own atom i while all atoms move by
+  // v_scale*v + a_scale*f/m; book: count it in the energy ledger
+  void pair_heat(double v_scale, double a_scale, double *heat, bool book);
+
+  // stop unless the last force evaluation belongs to the particles as they are;
+  // what: what needs it, for the message
+  void require_current(const char *what) const;
+
+  // use the stored half-step velocities in the next setup: the state is the
+  // one the last run or the restart file left behind
+  void continue_from_half_step() { resume = true; }
+
+  // the last evaluation was a setup that continued a run
+  bool has_resumed() const { return resumed; }
+
+  bool has_material(int) const;      // of own atom i: in a hybrid, others may have none
+  double time_step_limit() const;    // own atoms, Courant number 1 [time]
+  void cauchy_stress(int, double *) const;
+  double pressure(int) const;
+  double von_mises(int) const;
+  double elastic_energy(int) const;
+  double sound_speed(int) const;
+  double smoothing_length(int) const;
+  int neighbor_count(int) const;
+  SPHSolid::Ledger &ledger();
+
+  // particles of a group take the configuration of the next run as reference
+  void renew_reference(int groupbit);
+
+  // the one pair style sph/solid of a run; caller: who asks, for the message
+  static PairSPHSolid *find(class LAMMPS *, const char *caller);
+
+ private:
+  enum { STRESS, VISCOUS, DISPLACEMENT, HALF_VELOCITY };    // what a message carries
+
+  SPHSolid::Options *options;
+  SPHSolid::TypeData *types;    // one per atom type, from 1
+  SPHSolid::Sweeps *sweeps;
+  SPHSolid::Ledger *kept;    // energy ledger, while the sweeps are built anew
+
+  class FixSPHSolidPartners *partners;    // of the Lagrangian frame, else nullptr
+
+  int message_size;    // doubles per particle in it
+  int message;         // what the next message carries
+  bool resume;         // the next setup continues where the last run ended
+  bool resumed;        // the last evaluation was such a setup
+  int integrated;      // group bits of all fix sph/solid
+  bool warned_lost;    // warn once per run
+  bool warned_overload;
+  int evaluated_own, evaluated_all;    // particles of the last evaluation, -1: none
+  bool logged;                         // the materials are in the log
+
+  void allocate();
+  void require_environment();
+  void require_one_integrator();
+  void require_apart(const class Fix *);
+  void require_single_layer();
+  void fill_unset_state();
+  void require_state();
+  void measure_spacing();
+  void collect_planes();
+  void create_partners();
+  void delete_partners();
+  void new_neighbors(bool);
+  void sort_rows();
+  void pack_kinematics(bool);
+  void stop_unphysical(int);
+  void warn_lost_neighbors();
+  void report_overload();
+  SPHSolid::Particles particles() const;
+  SPHSolid::NeighborRows rows() const;
+  void forward(int, int);
+  const double *outgoing(int) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,18 @@
+/* ----------------------------------------------------------------------
+   Every difference between the LAMMPS versions this package supports
+   (4 Feb 2025 to 4 Jul 2026).  No other file tests SPHSOLID_LMP_VERSION,
+   which the build system takes from LAMMPS's version.h (YYYYMMDD).
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_COMPAT_H
+#define LMP_SPH_SOLID_COMPAT_H
+
+#ifndef SPHSOLID_LMP_VERSION
+#error "SPHSOLID_LMP_VERSION is not set: build through cmake/USER-SPHSOLID.cmake"
+#endif
+
+#if SPHSOLID_LMP_VERSION < 20250204
+#error "USER-SPHSOLID needs LAMMPS 4 Feb 2025 or newer"
+#endif
+
+#endif

@@ -1,0 +1,161 @@
+/* ----------------------------------------------------------------------
+   One force evaluation as sweeps over rows of neighbors.
+
+   The order is that of pair style sph/solid (its compute() is the list):
+     gradient     velocity gradient, correction matrix, constitutive update
+     force        stress and viscosity
+     correction   acceleration correction of Shaw & Reid over nearest neighbors
+     heat         work of the pair forces on a given displacement field
+   Every row writes to its own particle only.  Between the sweeps the pair
+   style sends the rows of own particles to their ghosts; mirror images are
+   filled here.  No LAMMPS include: only its raw arrays come in.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_SWEEPS_H
+#define LMP_SPH_SOLID_SWEEPS_H
+
+#include "sph_solid_images.h"
+#include "sph_solid_material.h"
+#include "sph_solid_viscosity.h"
+
+#include <memory>
+#include <vector>
+
+namespace SPHSolid {
+
+enum class Frame { EULERIAN, LAGRANGIAN };
+enum class Distortion { ERROR, WARN, IGNORE };
+
+// the numerics one run uses
+
+struct Options {
+  double h = 0.0;    // smoothing length [length]
+  Frame frame = Frame::LAGRANGIAN;
+  Viscosity viscosity = Viscosity::CORRECT;
+  double a1 = 1.0, a2 = 1.0;    // coefficients of eq. 23
+  double hbar = 1.5;            // support of the correction kernel in spacings
+  Weights weights = Weights::CONSERVATIVE;
+  Heating heating = Heating::COMPATIBLE;
+  bool corrected = true;    // gradient correction
+  bool tensile = false;     // artificial stress
+  double tensile_eps = 0.0, tensile_n = 4.0;
+  double hourglass = 0.0;    // damping of what no linear field contains, lagrangian
+  Distortion distortion = Distortion::ERROR;    // where the lagrangian frame ends
+};
+
+// why the lagrangian frame has come to its end at a particle
+
+struct Overload {
+  enum Kind { NONE, TURNED_OVER, STRETCH, OVERLAP } kind = NONE;
+  int particle = -1;
+  double value = 0.0;    // det F, least principal stretch, or distance over that in the reference
+};
+
+// LAMMPS's arrays of own and ghost particles, valid for one evaluation
+
+struct Particles {
+  int nlocal, nall;
+  double **x, **v, **f;
+  int *type;
+  double *mass, *volume, *rho, *e;    // volume: initial, V0
+  double **stress, *epl, *rho_weight;
+
+  // lagrangian: reference positions and volumes, box lengths (0: not periodic)
+  double **xref = nullptr, *vref = nullptr;
+  double period[3] = {0.0, 0.0, 0.0};
+};
+
+// eulerian: neighbors by present distance; lagrangian: the partners
+
+struct NeighborRows {
+  int inum;
+  int *ilist, *numneigh, **firstneigh;
+};
+
+// one material for every type, with lengths already resolved
+
+struct TypeData {
+  Material material;
+  double h = 0.0;          // smoothing length
+  double spacing = 0.0;    // particle spacing, cube (2d: square) root of the largest volume
+};
+
+// sums over own particles since the start of the run [energy]
+
+struct Ledger {
+  double plastic_work = 0.0;
+  double viscous_heat = 0.0;    // heat of the viscosity that is left
+  double returned = 0.0;        // heat the standard viscosity would have made, less that
+  double hourglass = 0.0;       // heat of the hourglass damping
+};
+
+class Sweeps {
+ public:
+  virtual ~Sweeps() = default;
+  static std::unique_ptr<Sweeps> create(int dimension, const Options &,
+                                        const std::vector<TypeData> &);
+
+  Images images;
+  int nthreads = 1;
+  Ledger ledger;
+
+  // neighbor lists are new: find images, size the storage.  reach: largest
+  // cutoff with skin
+  virtual void new_neighbors(const Particles &, const NeighborRows &, double reach) = 0;
+
+  // fill the kinematic rows; v: velocities to use; weights from p.rho_weight
+  virtual void pack_kinematics(const Particles &, const double *const *v) = 0;
+
+  // velocity gradients and, over dt, the constitutive update of all particles
+  // in the list.  Returns the local index of a particle whose state is not
+  // physical any more, or -1
+  virtual int gradient(const Particles &, const NeighborRows &, double dt) = 0;
+
+  // rows of own particles as neighbors need them, for forward communication
+  virtual int stress_size() const = 0;
+  virtual const double *stress_row(int i) const = 0;
+  virtual void unpack_stress(const Particles &, int i, const double *) = 0;
+  virtual void mirror_stress() = 0;
+
+  // add stress and viscous forces to p.f
+  virtual void force(const Particles &, const NeighborRows &) = 0;
+
+  virtual bool needs_correction() const = 0;
+  virtual double *viscous_acceleration(int i) = 0;    // D doubles, da of eq. 28
+  virtual void correction(const Particles &, const NeighborRows &) = 0;
+
+  // heat[i] = energy the pair forces give to particle i while every particle
+  // moves by u[i] (own and ghost rows set by set_displacement)
+  virtual double *displacement(int i) = 0;    // D doubles
+  virtual void heat(const Particles &, const NeighborRows &, double *heat, bool book) = 0;
+
+  // minus the pair forces' virial, sum of r_ij f_ij over pairs, 6 numbers
+  virtual void virial(const Particles &, const NeighborRows &, double *six) = 0;
+
+  // per particle, own: for the time step and for output
+  virtual double time_step_limit(const Particles &, const NeighborRows &) const = 0;
+  virtual double sound_speed(int i) const = 0;
+  virtual int neighbor_count(int i) const = 0;
+  virtual double memory_usage() const = 0;
+
+  // the particle that the frame can follow no further, if there is one
+  virtual Overload find_overload(const NeighborRows &) const { return {}; }
+};
+
+// one per frame and dimension, for create()
+
+template <int D>
+std::unique_ptr<Sweeps> eulerian_sweeps(const Options &, const std::vector<TypeData> &);
+template <int D>
+std::unique_ptr<Sweeps> lagrangian_sweeps(const Options &, const std::vector<TypeData> &);
+
+// the reference density of a particle: its mass over its initial volume
+
+inline double reference_density(double mass, double volume)
+{
+  return mass / volume;
+}
+
+}    // namespace SPHSolid
+
+#endif

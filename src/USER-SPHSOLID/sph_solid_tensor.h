@@ -1,0 +1,42 @@
+/* ----------------------------------------------------------------------
+   Small fixed-size tensors and how a symmetric one lies in memory.
+
+   Every tensor of this package that leaves a function is stored as LAMMPS
+   stores stresses: xx, yy, zz, xy, xz, yz (6 doubles), tension positive.
+   No LAMMPS include here: this header is unit-tested on its own.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_TENSOR_H
+#define LMP_SPH_SOLID_TENSOR_H
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace SPHSolid {
+
+// second-order tensor and vector in D space dimensions; 2d means plane strain
+
+template <int D> using Tensor = Eigen::Matrix<double, D, D>;
+template <int D> using Vector = Eigen::Matrix<double, D, 1>;
+
+// index of component (a,b) in the six stored numbers
+
+static constexpr int VOIGT[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+
+template <int D> inline Tensor<D> symmetric_from_six(const double *six)
+{
+  Tensor<D> t;
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) t(a, b) = six[VOIGT[a][b]];
+  return t;
+}
+
+template <int D> inline void six_from_symmetric(const Tensor<D> &t, double *six)
+{
+  for (int a = 0; a < D; ++a)
+    for (int b = a; b < D; ++b) six[VOIGT[a][b]] = t(a, b);
+}
+
+}    // namespace SPHSolid
+
+#endif

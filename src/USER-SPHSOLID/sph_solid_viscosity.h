@@ -1,0 +1,81 @@
+/* ----------------------------------------------------------------------
+   Artificial viscosity of a pair and the acceleration correction.
+
+   Monaghan's form: Shaw & Reid (2009), eqs 23-24.
+   Correction: eqs 27-30 in the reading that conserves momentum and energy.
+   With da_i the viscous acceleration of eq. 23 and the weights below, what
+   is left of it is
+
+     da_i - dabar_i = 1/2 sum_j w_ij (da_i - da_j),   sum over nearest j != i,
+
+   a high-pass filter: smooth fields keep their kinetic energy, grid-scale
+   noise is damped.  "conservative" weights are symmetric times mass, so that
+   linear momentum is exact; "shepard" weights are the closest reading of the
+   printed eq. 28 and are not.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_VISCOSITY_H
+#define LMP_SPH_SOLID_VISCOSITY_H
+
+namespace SPHSolid {
+
+enum class Viscosity { NONE, MONAGHAN, CORRECT, LIMITED };
+enum class Weights { CONSERVATIVE, SHEPARD };
+enum class Heating { COMPATIBLE, PRINTED };
+
+// keeps mu finite when two particles meet, eq. 24
+static constexpr double MU_EPSILON = 0.01;
+
+// mu_ij of eq. 24, zero for a separating pair; vr = v_ij . r_ij, r2 = r_ij^2
+
+inline double approach_rate(double vr, double r2, double h)
+{
+  const double closing = vr < 0.0 ? vr : 0.0;
+  return h * closing / (r2 + MU_EPSILON * h * h);
+}
+
+// Pi_ij of eq. 23 [pressure/density^2]; mu <= 0, c and rho are pair means
+
+inline double monaghan_pi(double a1, double a2, double c, double rho, double mu)
+{
+  return mu * (a2 * mu - a1 * c) / rho;
+}
+
+// share of the linear part of a velocity jump that is taken off before it is
+// called a shock: van Leer's limiter of the jumps l_i, l_j that the velocity
+// gradients of the two particles predict, 4r/(1+r)^2 with r = l_i/l_j, zero for
+// opposite signs (Frontiere, Raskin & Owen 2017, eq. 48)
+
+inline double van_leer(double l_i, double l_j)
+{
+  const double product = l_i * l_j, sum = l_i + l_j;
+  return product > 0.0 ? 4.0 * product / (sum * sum) : 0.0;
+}
+
+// the jump vr = v_ij . x_ij less its linear part.  Sign clip: never beyond zero
+// and never larger than vr, so that every pair dissipates
+
+inline double limited_jump(double vr, double l_i, double l_j)
+{
+  const double rest = vr - 0.5 * van_leer(l_i, l_j) * (l_i + l_j);
+  return rest * vr > 0.0 ? (rest * rest < vr * vr ? rest : vr) : 0.0;
+}
+
+// n_i = sum_j m_j Wbar_ij over the nearest neighbours, self left out: with it
+// the row sum would pass one and the viscosity would change its sign
+
+inline double correction_weight(Weights weights, double m_wbar, double n_i, double n_j)
+{
+  if (weights == Weights::SHEPARD) return m_wbar / n_i;
+  return m_wbar / (n_i > n_j ? n_i : n_j);
+}
+
+// largest share of the standard viscosity that the filter leaves, for the
+// time step: half of it, the value at a wavelength of two spacings along one
+// axis when all neighbours of the other axes move along
+
+static constexpr double CORRECTION_RETAINS = 0.5;
+
+}    // namespace SPHSolid
+
+#endif

@@ -1,0 +1,359 @@
+/* ----------------------------------------------------------------------
+   A body of particles without LAMMPS: its arrays, full neighbor lists by
+   comparing all pairs, and one force evaluation.
+
+   In the Lagrangian frame the lists hold the partners in the reference
+   configuration, which is the one that refer() saw.  There, a body can be
+   periodic: ghosts are then made, as LAMMPS does.
+
+   Units of the tests: rho0 = C = spacing = 1.
+------------------------------------------------------------------------- */
+
+#ifndef SPH_SOLID_TEST_CLOUD_H
+#define SPH_SOLID_TEST_CLOUD_H
+
+#include "sph_solid_sweeps.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace SPHSolid {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// numbers in [-1,1], the same everywhere
+
+class Noise {
+ public:
+  explicit Noise(int seed) : engine(seed) {}
+  double operator()() { return 2.0 * (engine() >> 11) / 9007199254740992.0 - 1.0; }
+  Vector3d vector(int dim) { return {(*this)(), (*this)(), dim == 3 ? (*this)() : 0.0}; }
+
+ private:
+  std::mt19937_64 engine;
+};
+
+// the iron of Shaw & Reid (2009) in units of its rho0 and C, mu/K = 80/101.7
+
+inline Material test_iron()
+{
+  Material m;
+  m.rho0 = 1.0;
+  m.eos = EOS::MIE_GRUNEISEN;
+  m.C = 1.0;
+  m.S = 1.8;
+  m.Gamma = 1.8;
+  m.shear = 0.786;
+  m.strength = Strength::ELASTIC;
+  return m;
+}
+
+class Cloud {
+ public:
+  Options opt;
+  Material material = test_iron();
+  int dim, nthreads = 1, shuffle = 0;    // shuffle: seed of the order of neighbors
+  double spacing = 1.0;
+  std::vector<Plane> planes;
+  std::vector<Vector3d> x, v;
+  std::vector<double> mass, volume, rho, e, epl;
+  std::vector<std::array<double, 6>> S;
+  std::vector<Vector3d> xref;    // lagrangian
+  std::vector<double> vref;
+  double period = 0.0;    // lagrangian: length of the box along x, 0: not periodic
+  std::unique_ptr<Sweeps> sweeps;
+
+  explicit Cloud(int dimension) : dim(dimension)
+  {
+    opt.h = 1.3;
+    opt.frame = Frame::EULERIAN;
+    opt.corrected = true;
+  }
+
+  int size() const { return static_cast<int>(x.size()); }
+
+  void add(const Vector3d &at, const Vector3d &velocity, double cell = 1.0)
+  {
+    x.push_back(at);
+    v.push_back(velocity);
+    mass.push_back(material.rho0 * cell);
+    volume.push_back(cell);
+    rho.push_back(material.rho0);
+    e.push_back(0.0);
+    epl.push_back(0.0);
+    S.push_back({});
+  }
+
+  // a square or cubic lattice, n to a side, from the origin
+  void add_lattice(int nx, int ny, int nz = 1)
+  {
+    for (int i = 0; i < nx; i++)
+      for (int j = 0; j < ny; j++)
+        for (int k = 0; k < (dim == 3 ? nz : 1); k++)
+          add(spacing * Vector3d(i, j, k), Vector3d::Zero(), std::pow(spacing, dim));
+  }
+
+  // jitter of positions (in spacings), of density and of everything else
+  void stir(Noise &noise, double jitter = 0.25, double density = 0.05)
+  {
+    for (int i = 0; i < size(); i++) {
+      x[i] += jitter * spacing * noise.vector(dim);
+      v[i] = 0.1 * noise.vector(dim);
+      rho[i] *= 1.0 + density * noise();
+      e[i] = 0.01 * noise();
+      for (double &s : S[i]) s = 0.02 * noise();
+      S[i][2] = -S[i][0] - S[i][1];
+      if (dim == 2) S[i][4] = S[i][5] = 0.0;
+    }
+  }
+
+  void move(const std::function<Vector3d(Vector3d)> &velocity)
+  {
+    for (int i = 0; i < size(); i++) v[i] = velocity(x[i]);
+  }
+
+  // the present configuration becomes the reference
+  void refer()
+  {
+    xref = x;
+    vref.resize(size());
+    for (int i = 0; i < size(); i++) vref[i] = mass[i] / rho[i];
+  }
+
+  void no_stress()
+  {
+    for (int i = 0; i < size(); i++) {
+      volume[i] = mass[i] / rho[i];
+      e[i] = 0.0;
+      S[i] = {};
+    }
+  }
+
+  // one force evaluation, as in pair style sph/solid; returns the index of a
+  // particle with an unphysical state or -1
+  int evaluate(double dt = 0.0)
+  {
+    const int bad = advance(dt);
+    const Particles p = particles();
+    for (int g = size(); g < p.nall; g++) sweeps->unpack_stress(p, g, sweeps->stress_row(owner[g]));
+    sweeps->mirror_stress();
+    sweeps->force(p, rows);
+    if (!sweeps->needs_correction()) return bad;
+    for (int g = size(); g < p.nall; g++)
+      for (int a = 0; a < dim; a++)
+        sweeps->viscous_acceleration(g)[a] = sweeps->viscous_acceleration(owner[g])[a];
+    sweeps->correction(p, rows);
+    return bad;
+  }
+
+  // neighbor lists and the gradient sweep only
+  int advance(double dt)
+  {
+    if (lagrangian() && xref.empty()) refer();
+    find_ghosts();
+    find_neighbors();
+    rho_weight = rho;
+    force.assign(3 * size(), 0.0);
+    sweeps = Sweeps::create(dim, opt, {TypeData(), {material, opt.h, spacing}});
+    sweeps->nthreads = nthreads;
+    sweeps->images.set_planes(planes);
+    const Particles p = particles();
+    sweeps->new_neighbors(p, rows, 2.0 * opt.h);
+    sweeps->pack_kinematics(p, pv.data());
+    return sweeps->gradient(p, rows, dt);
+  }
+
+  // energy per time given to each particle while all move with u
+  std::vector<double> heat(const std::vector<Vector3d> &u, bool book = false)
+  {
+    for (int i = 0; i < size(); i++)
+      for (int a = 0; a < dim; a++) sweeps->displacement(i)[a] = u[i][a];
+    for (std::size_t g = size(); g < owner.size(); g++)
+      for (int a = 0; a < dim; a++) sweeps->displacement(g)[a] = u[owner[g]][a];
+    std::vector<double> out(size(), 0.0);
+    sweeps->heat(particles(), rows, out.data(), book);
+    return out;
+  }
+
+  Vector3d f(int i) const { return {force[3 * i], force[3 * i + 1], force[3 * i + 2]}; }
+
+  // pointers into the arrays, valid until particles are added.  Ghosts differ from
+  // their owners in the position, and have a density of their own
+  Particles particles()
+  {
+    if (owner.size() < x.size()) find_ghosts();
+    const int n = size(), nall = static_cast<int>(owner.size());
+    px.resize(nall);
+    pv.resize(nall);
+    pf.resize(nall);
+    ps.resize(nall);
+    pxref.resize(nall);
+    type.assign(nall, 1);
+    rho.resize(nall);
+    rho_weight.resize(nall);
+    all_mass.resize(nall);
+    all_vref.resize(nall);
+    for (int i = 0; i < nall; i++) {
+      const int from = owner[i];
+      px[i] = i < n ? x[i].data() : ghost_x[i - n].data();
+      pv[i] = v[from].data();
+      pf[i] = &force[3 * from];
+      ps[i] = S[from].data();
+      all_mass[i] = mass[from];
+      if (!lagrangian()) continue;
+      pxref[i] = xref[from].data();
+      all_vref[i] = vref[from];
+    }
+    Particles p;
+    p.nlocal = n;
+    p.nall = nall;
+    p.x = px.data();
+    p.v = pv.data();
+    p.f = pf.data();
+    p.type = type.data();
+    p.mass = all_mass.data();
+    p.volume = volume.data();
+    p.rho = rho.data();
+    p.e = e.data();
+    p.stress = ps.data();
+    p.epl = epl.data();
+    p.rho_weight = rho_weight.data();
+    if (lagrangian()) {
+      p.xref = pxref.data();
+      p.vref = all_vref.data();
+      p.period[0] = period;
+    }
+    return p;
+  }
+
+  const NeighborRows &neighbors() const { return rows; }
+  const std::vector<int> &list(int i) const { return lists[i]; }
+
+ private:
+  std::vector<double> force, rho_weight, all_mass, all_vref;
+  std::vector<double *> px, pv, pf, ps, pxref;
+  std::vector<int> type, ilist, numneigh, owner;    // owner: of own particles and ghosts
+  std::vector<Vector3d> ghost_x;
+  std::vector<int *> firstneigh;
+  std::vector<std::vector<int>> lists;
+  NeighborRows rows;
+
+  bool lagrangian() const { return opt.frame == Frame::LAGRANGIAN; }
+
+  // one copy of everything on either side
+  void find_ghosts()
+  {
+    owner.resize(size());
+    ghost_x.clear();
+    for (int i = 0; i < size(); i++) owner[i] = i;
+    if (period == 0.0) return;
+    for (double shift : {-period, period})
+      for (int i = 0; i < size(); i++) {
+        owner.push_back(i);
+        ghost_x.push_back(x[i] + Vector3d(shift, 0.0, 0.0));
+      }
+  }
+
+  // lagrangian: the partner is that copy of it which is nearest now
+  void find_neighbors()
+  {
+    const double cut = std::max(2.0 * opt.h, opt.hbar * spacing);
+    const std::vector<Vector3d> &from = lagrangian() ? xref : x;
+    lists.assign(size(), {});
+    for (int i = 0; i < size(); i++)
+      for (int j = 0; j < size(); j++) {
+        Vector3d d = from[i] - from[j];
+        if (period > 0.0) d[0] -= period * std::round(d[0] / period);
+        if (i == j || d.norm() >= cut) continue;
+        const double shift = period > 0.0 ? std::round((x[i] - x[j])[0] / period) : 0.0;
+        lists[i].push_back(shift == 0.0 ? j : j + (shift < 0.0 ? 1 : 2) * size());
+      }
+    if (shuffle)
+      for (auto &l : lists) std::shuffle(l.begin(), l.end(), std::mt19937(shuffle));
+    ilist.resize(size());
+    numneigh.resize(size());
+    firstneigh.resize(size());
+    for (int i = 0; i < size(); i++) {
+      ilist[i] = i;
+      numneigh[i] = static_cast<int>(lists[i].size());
+      firstneigh[i] = lists[i].data();
+    }
+    rows = {size(), ilist.data(), numneigh.data(), firstneigh.data()};
+  }
+};
+
+// 196 particles in two dimensions, 125 in three; 25 % jitter, 5 % of density
+
+inline Cloud random_cloud(int dim, int seed = 1)
+{
+  Cloud c(dim);
+  if (dim == 2)
+    c.add_lattice(14, 14);
+  else
+    c.add_lattice(5, 5, 5);
+  Noise noise(seed);
+  c.stir(noise);
+  return c;
+}
+
+// sums over a cloud after evaluate()
+
+inline double power(const Cloud &c)
+{
+  double sum = 0.0;
+  for (int i = 0; i < c.size(); i++) sum += c.f(i).dot(c.v[i]);
+  return sum;
+}
+
+inline double absolute_power(const Cloud &c)
+{
+  double sum = 0.0;
+  for (int i = 0; i < c.size(); i++) sum += std::fabs(c.f(i).dot(c.v[i]));
+  return sum;
+}
+
+inline double sum(const std::vector<double> &all)
+{
+  double s = 0.0;
+  for (double one : all) s += one;
+  return s;
+}
+
+// net force over the sum of all forces
+
+inline double net_force(const Cloud &c)
+{
+  Vector3d net = Vector3d::Zero();
+  double all = 0.0;
+  for (int i = 0; i < c.size(); i++) {
+    net += c.f(i);
+    all += c.f(i).norm();
+  }
+  return net.norm() / all;
+}
+
+inline Vector3d torque(const Cloud &c)
+{
+  Vector3d net = Vector3d::Zero();
+  for (int i = 0; i < c.size(); i++) net += c.x[i].cross(c.f(i));
+  return net;
+}
+
+inline double absolute_torque(const Cloud &c)
+{
+  double all = 0.0;
+  for (int i = 0; i < c.size(); i++) all += c.x[i].norm() * c.f(i).norm();
+  return all;
+}
+
+}    // namespace SPHSolid
+
+#endif

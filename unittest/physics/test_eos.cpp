@@ -1,0 +1,218 @@
+/* ----------------------------------------------------------------------
+   Equations of state: points on exact shock and rarefaction solutions, and
+   the sound speed as the slope of the isentrope.
+
+   The states were found by solving the jump conditions with 30 digits
+   (rarefaction: adaptive Taylor integration with 20), with P(rho,e) written
+   anew from Shaw & Reid (2009), eqs 8-13, tension branch P_H = a0 eta.
+------------------------------------------------------------------------- */
+
+#include "sph_solid_eos.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace SPHSolid;
+
+namespace {
+
+Material mie(double rho0, double C, double S, double Gamma)
+{
+  Material m;
+  m.rho0 = rho0;
+  m.eos = EOS::MIE_GRUNEISEN;
+  m.C = C;
+  m.S = S;
+  m.Gamma = Gamma;
+  return m;
+}
+
+const Material iron = mie(7850.0, 3600.0, 1.8, 1.8);
+const Material copper = mie(8930.0, 3940.0, 1.49, 2.0);
+const Material aluminium = mie(2785.0, 5328.0, 1.338, 2.0);
+
+double P(const Material &m, double rho, double e)
+{
+  return pressure(m, rho, m.rho0, e).P;
+}
+
+double sound(const Material &m, double rho, double e)
+{
+  return std::sqrt(pressure(m, rho, m.rho0, e).c2);
+}
+
+void expect_relative(double value, double exact, double tolerance)
+{
+  EXPECT_NEAR(value / exact, 1.0, tolerance);
+}
+
+}    // namespace
+
+TEST(Eos, NoPressureAtRest)
+{
+  EXPECT_EQ(P(iron, 7850.0, 0.0), 0.0);
+}
+
+// shock into iron at rest driven at 200 m/s: e = u^2/2, P = rho0 U u with
+// U = 3959.009305758428832 m/s
+
+TEST(Eos, PlanarShockInIron)
+{
+  const double rho = 8267.6632384482038832;
+  expect_relative(P(iron, rho, 20000.0), 6215644610.04073326743, 1e-12);
+  expect_relative(P(iron, rho, 20000.0), 7850.0 * 3959.00930575842883 * 200.0, 1e-12);
+}
+
+// behind the plastic wave of an elastic-plastic piston, exact two-wave jump
+// conditions with a hypoelastic precursor
+
+TEST(Eos, PistonCopper)
+{
+  expect_relative(P(copper, 8973.45305846046390985, 213.530186400918339), 681592184.372710796,
+                  1e-12);
+}
+
+TEST(Eos, PistonAluminium)
+{
+  expect_relative(P(aluminium, 2985.62011434500799820, 81270.9720596151793544), 6436147146.76003524,
+                  1e-12);
+}
+
+TEST(Eos, PistonIron)
+{
+  expect_relative(P(iron, 8255.08639439387411359, 21046.6072594875522825), 6037418449.51564647,
+                  1e-12);
+}
+
+// the elastic precursor: sigma = P + 2/3 Y at rho_y = rho0 exp(Y/2mu)
+
+TEST(Eos, HugoniotElasticLimits)
+{
+  expect_relative(P(copper, 8930.0 * std::exp(1e-3), 11.1383360512417016634) + 60.0e6,
+                  199030163.793670926742, 1e-12);
+  expect_relative(P(aluminium, 2785.0 * std::exp(300.0 / 55200.0), 618.764782349782890341) +
+                      200.0e6,
+                  635884470.976560754083, 1e-12);
+  expect_relative(P(iron, 7850.0 * std::exp(600.0 / 160000.0), 187.705803677370953843) + 400.0e6,
+                  787336042.886177204242, 1e-12);
+}
+
+// shock tube of fluid iron, 10 GPa of heat on the left: P is the same on both
+// sides of the contact, 4.950243 GPa
+
+TEST(Eos, ShockTubeStarStates)
+{
+  const double P_star = 4950242829.9775845;
+  expect_relative(P(iron, 8191.1482804004363676, 13131.8299335944042), P_star, 1e-12);
+  expect_relative(P(iron, 7542.0176670953757662, 669039.38163779033591), P_star, 1e-12);
+}
+
+// head and tail of its rarefaction travel at -c and u* - c
+
+TEST(Eos, SoundSpeedInRarefaction)
+{
+  expect_relative(sound(iron, 7850.0, 707714.084), 4065.3264301111171656, 1e-12);
+  expect_relative(sound(iron, 7542.0176670953757662, 669039.38163779033591),
+                  162.06066724282239721 + 3870.4258488119378218, 1e-12);
+}
+
+TEST(Eos, SoundSpeedAtRest)
+{
+  expect_relative(sound(iron, 7850.0, 0.0), 3600.0, 1e-15);
+}
+
+// c^2 = dP/drho along de = P/rho^2 drho, by a central difference of points on
+// the isentrope (classical Runge-Kutta, one step to each side)
+
+TEST(Eos, SoundSpeedIsSlopeOfIsentrope)
+{
+  auto slope = [](double rho, double e) {
+    return P(iron, rho, e) / (rho * rho);
+  };
+  for (double compression : {0.8, 0.95, 0.999, 1.001, 1.05, 1.3})
+    for (double e : {-5.0e4, 0.0, 2.0e4, 7.0e5}) {
+      const double rho = 7850.0 * compression, step = 0.5;
+      auto on_isentrope = [&](double d) {
+        const double k1 = slope(rho, e), k2 = slope(rho + 0.5 * d, e + 0.5 * d * k1);
+        const double k3 = slope(rho + 0.5 * d, e + 0.5 * d * k2), k4 = slope(rho + d, e + d * k3);
+        return P(iron, rho + d, e + d / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4));
+      };
+      auto difference = [&](double d) {
+        return (on_isentrope(d) - on_isentrope(-d)) / (2.0 * d);
+      };
+      const double c2 = (4.0 * difference(step) - difference(2.0 * step)) / 3.0;
+      expect_relative(pressure(iron, rho, 7850.0, e).c2, c2, 1e-9);
+    }
+}
+
+// no jump of P or of its slope between compression and tension: both are
+// a0 eta + O(eta^2) at e = 0
+
+TEST(Eos, SmoothAtRestDensity)
+{
+  const double K = 7850.0 * 3600.0 * 3600.0, d = 1e-7;
+  expect_relative(P(iron, 7850.0 * (1.0 + d), 0.0), K * d, 3e-7);
+  expect_relative(P(iron, 7850.0 * (1.0 - d), 0.0), -K * d, 3e-7);
+  expect_relative(pressure(iron, 7850.0 * (1.0 + d), 7850.0, 0.0).c2, 3600.0 * 3600.0, 1e-6);
+  expect_relative(pressure(iron, 7850.0 * (1.0 - d), 7850.0, 0.0).c2, 3600.0 * 3600.0, 1e-6);
+}
+
+// P_H = a0 eta under tension, times 1 - Gamma eta/2 of the reference energy
+
+TEST(Eos, StiffInTension)
+{
+  const double K = 7850.0 * 3600.0 * 3600.0;
+  for (double eta : {-0.001, -0.01, -0.1})
+    expect_relative(P(iron, 7850.0 * (1.0 + eta), 0.0), K * eta * (1.0 - 0.9 * eta), 1e-13);
+}
+
+// at constant density the pressure grows with e by Gamma rho
+
+TEST(Eos, GrueneisenParameter)
+{
+  for (double rho : {7000.0, 7850.0, 9000.0})
+    expect_relative(P(iron, rho, 3.0e5) - P(iron, rho, 1.0e5), 1.8 * rho * 2.0e5, 1e-11);
+}
+
+// the cubic form is the Taylor series of the exact Hugoniot
+// a0 eta(1+eta)/(1-(S-1)eta)^2 to third order: the difference shrinks by 2^4
+
+TEST(Eos, CubicFormFollowsHugoniot)
+{
+  auto error = [](double eta) {
+    const double a0 = 7850.0 * 3600.0 * 3600.0, s = 0.8;
+    const double exact = a0 * eta * (1.0 + eta) / std::pow(1.0 - s * eta, 2);
+    return exact - P(iron, 7850.0 * (1.0 + eta), 0.0) / (1.0 - 0.9 * eta);
+  };
+  EXPECT_NEAR(error(0.004) / error(0.002), 16.0, 0.2);
+}
+
+TEST(Eos, LinearForm)
+{
+  Material rubber;
+  rubber.rho0 = 1010.0;
+  rubber.eos = EOS::LINEAR;
+  rubber.K = 3.25e6;
+  const PressureState state = pressure(rubber, 1010.0 * 1.02, 1010.0, 1.0e6);
+  expect_relative(state.P, 6.5e4, 1e-13);
+  expect_relative(state.c2, 3.25e6 / 1010.0, 1e-15);
+  expect_relative(pressure(rubber, 1010.0 * 0.98, 1010.0, 0.0).P, -6.5e4, 1e-13);
+}
+
+// a particle whose rest density is ten times that of the card has the same
+// stiffness: same cold pressure, c^2 a tenth
+
+TEST(Eos, ReferenceDensityKeepsStiffness)
+{
+  Material linear = iron;
+  linear.eos = EOS::LINEAR;
+  linear.K = 1.0e11;
+  for (const Material &m : {iron, linear})
+    for (double compression : {0.9, 1.1}) {
+      const PressureState light = pressure(m, 7850.0 * compression, 7850.0, 0.0);
+      const PressureState heavy = pressure(m, 78500.0 * compression, 78500.0, 0.0);
+      expect_relative(heavy.P, light.P, 1e-14);
+      expect_relative(heavy.c2, 0.1 * light.c2, 1e-14);
+    }
+}

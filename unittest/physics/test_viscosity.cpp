@@ -1,0 +1,60 @@
+/* ----------------------------------------------------------------------
+   Artificial viscosity of one pair: Shaw & Reid (2009), eqs 23-24.
+------------------------------------------------------------------------- */
+
+#include "sph_solid_viscosity.h"
+
+#include <gtest/gtest.h>
+
+using namespace SPHSolid;
+
+// v.r = -6, r^2 = 4, h = 2: mu = 2(-6)/(4 + 0.01 4) = -2.970297...
+
+TEST(Viscosity, ApproachRateByHand)
+{
+  EXPECT_DOUBLE_EQ(approach_rate(-6.0, 4.0, 2.0), -12.0 / 4.04);
+}
+
+TEST(Viscosity, SeparatingPairFeelsNothing)
+{
+  EXPECT_EQ(approach_rate(6.0, 4.0, 2.0), 0.0);
+  EXPECT_EQ(monaghan_pi(1.0, 1.0, 5.0, 3.0, approach_rate(6.0, 4.0, 2.0)), 0.0);
+}
+
+TEST(Viscosity, FiniteWhenParticlesMeet)
+{
+  EXPECT_DOUBLE_EQ(approach_rate(-1.0, 0.0, 2.0), -50.0);
+}
+
+// mu = -3, c = 5, rho = 2: (2 5 3 + 4 9)/2 = 33
+
+TEST(Viscosity, PiByHand)
+{
+  EXPECT_DOUBLE_EQ(monaghan_pi(2.0, 4.0, 5.0, 2.0, -3.0), 33.0);
+}
+
+TEST(Viscosity, PiRepels)
+{
+  EXPECT_GT(monaghan_pi(1.0, 0.0, 5.0, 2.0, -1e-3), 0.0);
+  EXPECT_GT(monaghan_pi(0.0, 1.0, 5.0, 2.0, -1e-3), 0.0);
+}
+
+// momentum of the correction: m_i w_ij = m_j w_ji for any two particles
+
+TEST(Viscosity, ConservativeWeightsTimesMassAreSymmetric)
+{
+  const double m_i = 2.0, m_j = 3.0, wbar = 0.7, n_i = 1.9, n_j = 2.3;
+  const double w_ij = correction_weight(Weights::CONSERVATIVE, m_j * wbar, n_i, n_j);
+  const double w_ji = correction_weight(Weights::CONSERVATIVE, m_i * wbar, n_j, n_i);
+  EXPECT_NEAR(m_i * w_ij, m_j * w_ji, 1e-15);
+}
+
+// a row never sums to more than one, else the viscosity would feed noise:
+// w_ij <= m_j Wbar_ij/n_i, and shepard weights are equal to it
+
+TEST(Viscosity, RowSumAtMostOne)
+{
+  EXPECT_DOUBLE_EQ(correction_weight(Weights::CONSERVATIVE, 1.2, 3.0, 2.0), 0.4);
+  EXPECT_DOUBLE_EQ(correction_weight(Weights::CONSERVATIVE, 1.2, 3.0, 4.0), 0.3);
+  EXPECT_DOUBLE_EQ(correction_weight(Weights::SHEPARD, 1.2, 3.0, 4.0), 0.4);
+}

@@ -1,0 +1,246 @@
+/* ----------------------------------------------------------------------
+   Runs that make no sense are refused before they start, and runs that go
+   wrong stop with a message that says where.
+------------------------------------------------------------------------- */
+
+#include "session.h"
+
+using namespace sphsolid_test;
+
+namespace {
+
+Block small()
+{
+  Block b;
+  b.nx = b.ny = 6;
+  return b;
+}
+
+// message of a run of a block after some more lines
+
+std::string refusal(const Block &b, const std::string &more = "")
+{
+  Session s;
+  s(b.script());
+  const std::string message = s.error(more + "run 5");
+  return message;
+}
+
+/* ----------------------------------------------------------------------
+   before the first step
+------------------------------------------------------------------------- */
+
+class ForeignUnits : public testing::TestWithParam<std::string> {};
+
+TEST_P(ForeignUnits, AreRefused)
+{
+  Session s;
+  s("units " + GetParam() +
+    "\nboundary f f f\natom_style sph/solid\nregion box block 0 4 0 4 0 4\ncreate_box 1 box\n"
+    "create_atoms 1 single 1 1 1\nset group all volume 1\npair_style sph/solid 1\n"
+    "pair_coeff * * inline rho0 1 eos linear 1 shear 1 strength elastic\nfix 1 all sph/solid");
+  EXPECT_THAT(s.error("run 0"),
+              HasSubstr("Pair style sph/solid works in units si, cgs, micro, nano or lj, not in " +
+                        GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, ForeignUnits, testing::Values("real", "metal", "electron"),
+                         [](const auto &info) {
+                           return info.param;
+                         });
+
+TEST(Refused, ParticleOffThePlaneInTwoDimensions)
+{
+  Session s;
+  s(small().script());
+  s.lmp->atom->x[s.lmp->atom->map(7)][2] = 1.0e-5;
+  EXPECT_THAT(s.error("run 0"),
+              HasSubstr("Pair style sph/solid, dimension 2: particle 7 has z = 1e-05: expected a "
+                        "single layer of particles at z = 0"));
+}
+
+TEST(Refused, RunWithoutIntegrator)
+{
+  Block b = small();
+  b.fixes = "";
+  EXPECT_THAT(refusal(b),
+              HasSubstr("Pair style sph/solid: no time integration: expected a command "
+                        "like 'fix 1 all sph/solid'"));
+}
+
+TEST(Refused, SecondIntegratorOfAnotherStyle)
+{
+  EXPECT_THAT(refusal(small(),
+                      "region low block INF INF INF 0.9 INF INF\ngroup low region low\n"
+                      "fix other low nve\n"),
+              HasSubstr("fix other of style nve moves 6 particles that a fix sph/solid moves too: "
+                        "expected one of the two per particle"));
+}
+
+TEST(Refused, SecondIntegratorOfTheSameStyle)
+{
+  EXPECT_THAT(refusal(small(), "fix again all sph/solid\n"), HasSubstr("again"));
+}
+
+TEST(Refused, ParticleWithoutVolume)
+{
+  EXPECT_THAT(
+      refusal(small(), "create_atoms 1 single 0.01 0.01 0 units box\n"),
+      HasSubstr("sph/solid: particle 37 of type 1 has no volume: expected a command like 'set "
+                "group all volume V' before the run"));
+}
+
+TEST(Refused, TypeWithoutMaterial)
+{
+  Session s;
+  s("units si\ndimension 2\nboundary f f p\natom_style sph/solid\n"
+    "region box block 0 1 0 1 -0.5 0.5\ncreate_box 2 box\ncreate_atoms 1 single 0.5 0.5 0\n"
+    "set group all volume 1\npair_style sph/solid 1\nfix 1 all sph/solid\n"
+    "pair_coeff 1 1 inline rho0 1 eos linear 1 shear 1 strength elastic\n");
+  EXPECT_THAT(s.error("run 0"), HasSubstr("All pair coeffs are not set"));
+}
+
+TEST(Refused, AnotherAtomStyle)
+{
+  Session s;
+  s("units si\ndimension 2\nboundary f f p\natom_style atomic\n"
+    "region box block 0 1 0 1 -0.5 0.5\ncreate_box 1 box\ncreate_atoms 1 single 0.5 0.5 0\n"
+    "mass * 1\npair_style sph/solid 1\n"
+    "pair_coeff * * inline rho0 1 eos linear 1 shear 1 strength elastic\nfix 1 all sph/solid");
+  EXPECT_THAT(s.error("run 0"),
+              HasSubstr("Pair style sph/solid needs atom_style sph/solid (alone or in hybrid)"));
+}
+
+TEST(Refused, ParticlesWithoutIds)
+{
+  Session s;
+  s("units si\ndimension 2\nboundary f f p\natom_style sph/solid\natom_modify id no\n"
+    "region box block 0 1 0 1 -0.5 0.5\ncreate_box 1 box\ncreate_atoms 1 single 0.5 0.5 0\n"
+    "set group all volume 1\npair_style sph/solid 1\n"
+    "pair_coeff * * inline rho0 1 eos linear 1 shear 1 strength elastic\nfix 1 all sph/solid");
+  EXPECT_THAT(s.error("run 0"), HasSubstr("Pair style sph/solid needs atom IDs"));
+}
+
+TEST(Refused, WallAcrossAPeriodicBoundary)
+{
+  Block b = small();
+  b.boundary = "f p";
+  Session s;
+  s(b.script());
+  EXPECT_THAT(
+      s.error("fix floor all sph/solid/wall ylo 0"),
+      HasSubstr("Fix sph/solid/wall: the box is periodic across side ylo: expected a boundary "
+                "f, s or m"));
+}
+
+TEST(Refused, ParticleBehindTheWall)
+{
+  EXPECT_THAT(
+      refusal(small(), "fix floor all sph/solid/wall ylo 0.0005\n"),
+      HasSubstr("Fix sph/solid/wall floor: particle 1 at 0 0 0 lies behind the wall at 0.0005"));
+  EXPECT_THAT(refusal(small(), "fix roof all sph/solid/wall yhi 0.0045 symmetry\n"),
+              HasSubstr("Fix sph/solid/wall roof: particle 31 at 0 0.005 0 lies behind the wall at "
+                        "0.0045"));
+}
+
+TEST(Refused, ParallelSymmetryPlanesCloserThanTheKernel)
+{
+  EXPECT_THAT(refusal(small(),
+                      "fix a all sph/solid/wall ylo -0.0005 symmetry\n"
+                      "fix b all sph/solid/wall yhi 0.0045 symmetry\n"),
+              HasSubstr("parallel symmetry planes at -0.0005 and 0.0045 are closer than twice the "
+                        "kernel support 0.0026"));
+}
+
+TEST(Refused, RespaIntegration)
+{
+  EXPECT_THAT(refusal(small(), "run_style respa 2 2 pair 1\n"),
+              HasSubstr("Fix sph/solid works with run_style verlet, not with respa"));
+}
+
+TEST(Refused, Minimization)
+{
+  Session s;
+  s(small().script());
+  EXPECT_THAT(s.error("minimize 1e-4 1e-4 10 10"),
+              HasSubstr("Pair style sph/solid carries a history and cannot be minimized"));
+}
+
+TEST(Refused, TwoOfThePairStyle)
+{
+  Session s;
+  s("units si\ndimension 2\nboundary f f p\natom_style sph/solid\n"
+    "region box block 0 1 0 1 -0.5 0.5\ncreate_box 2 box\n"
+    "create_atoms 1 single 0.5 0.5 0\ncreate_atoms 2 single 0.1 0.5 0\nset group all volume 1\n"
+    "pair_style hybrid sph/solid 0.1 sph/solid 0.2\n"
+    "pair_coeff 1 1 sph/solid 1 inline rho0 1 eos linear 1 shear 1 strength elastic\n"
+    "pair_coeff 2 2 sph/solid 2 inline rho0 1 eos linear 1 shear 1 strength elastic\n"
+    "pair_coeff 1 2 none\nfix 1 all sph/solid");
+  EXPECT_THAT(s.error("run 0"), HasSubstr("needs pair style sph/solid, once (alone or in hybrid)"));
+}
+
+TEST(Refused, PerAtomVirial)
+{
+  EXPECT_THAT(
+      refusal(small(),
+              "compute s all stress/atom NULL\ndump d all custom 1 " + file("d") + " id c_s[1]\n"),
+      HasSubstr("Pair style sph/solid has no per-atom virial: use compute sph/solid/atom sxx"));
+}
+
+/* ----------------------------------------------------------------------
+   during the run
+------------------------------------------------------------------------- */
+
+TEST(Stops, WhenParticlesAreAdded)
+{
+  Session s;
+  Block b = small();
+  b.motion = "";
+  s(b.script());
+  s("region top block 0 5 20 30 -0.5 0.5\n"
+    "fix rain all deposit 5 1 2 12345 region top near 0.001 units box");
+  EXPECT_THAT(
+      s.error("run 20"),
+      HasSubstr("Particles cannot be added during a run (fix deposit): add them between runs "
+                "and set their volume"));
+}
+
+TEST(Stops, WhenTheStateIsNotFinite)
+{
+  Session s;
+  Block b = small();
+  b.options = "viscosity none";
+  b.fixes = "fix move all sph/solid\ntimestep 1e-6\nfix floor all sph/solid/wall ylo 0\n";
+  b.motion = "velocity all set 0 -20000 0 units box\n";
+  s(b.script());
+  s("thermo_modify lost warn flush yes");
+  const std::string message = s.error("run 100");
+  EXPECT_THAT(message,
+              testing::ContainsRegex("sph/solid: the state of particle [0-9]+ at [-0-9.e]+ "
+                                     "[-0-9.e]+ 0 is not physical in step [0-9]+: density"));
+  EXPECT_THAT(message,
+              HasSubstr("expected finite values and a density > 0. The usual causes are a "
+                        "time step that is too long (fix sph/solid/dt) and viscosity none"));
+}
+
+TEST(Warns, OfAParticleThatLeavesItsBody)
+{
+  Session s;
+  Block b = small();
+  b.motion = "velocity all zero linear\n";
+  s(b.script());
+  s("group one id 36\nvelocity one set 3000 3000 0 units box\nrun 100");
+  const std::string log = s.log();
+  EXPECT_THAT(log, HasSubstr("sph/solid: particle 36 at "));
+  EXPECT_THAT(log, HasSubstr("has lost all its neighbors by step "));
+}
+
+TEST(Warns, NotOfABodyInFreeFlight)
+{
+  Session s;
+  s(small().script());
+  s("run 100");
+  EXPECT_THAT(s.log(), Not(HasSubstr("WARNING")));
+}
+
+}    // namespace

@@ -1,0 +1,317 @@
+/* ----------------------------------------------------------------------
+   The number of ranks, newton on or off, load balancing and threads do not
+   change a bit: sums run in the order of atom IDs.
+
+   Started by mpiexec; the reference is a run of the first rank alone.
+------------------------------------------------------------------------- */
+
+#include "session.h"
+
+using namespace sphsolid_test;
+
+namespace {
+
+int rank_of(MPI_Comm comm)
+{
+  int me;
+  MPI_Comm_rank(comm, &me);
+  return me;
+}
+
+// broadcast; who waits sleeps, since tests may run on fewer cores than ranks
+
+void share(void *data, int bytes)
+{
+  MPI_Request request;
+  MPI_Ibcast(data, bytes, MPI_BYTE, 0, MPI_COMM_WORLD, &request);
+  for (int done = 0; !done;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (!done) usleep(1000);
+  }
+}
+
+State alone(const std::string &script)
+{
+  State state;
+  if (rank_of(MPI_COMM_WORLD) == 0) {
+    Session s(MPI_COMM_SELF);
+    s(script);
+    state = s.state();
+  }
+  int n = static_cast<int>(state.size());
+  share(&n, sizeof(n));
+  state.resize(n);
+  share(state.data(), n * sizeof(Particle));
+  return state;
+}
+
+// the run, and that every rank had something to do
+
+State together(const std::string &script)
+{
+  Session s;
+  s(script);
+  EXPECT_GT(s.lmp->atom->nlocal, 0);
+  return s.state();
+}
+
+// the box follows the body from the start, so that rank boundaries go through it.
+// create_atoms numbers the atoms rank by rank: the IDs are made anew, by position
+
+Block rod()
+{
+  Block b;
+  b.boundary = "s s";
+  b.box = "-0.001 0.012 -0.001 0.02";
+  b.options = "viscosity correct gradient corrected";
+  b.motion = "reset_atoms id sort yes\n" + b.motion;
+  b.fixes += "fix floor all sph/solid/wall ylo 0.0\n";
+  return b;
+}
+
+Block block3d()
+{
+  Block b = rod();
+  b.nx = 6;
+  b.ny = 7;
+  b.nz = 5;
+  b.box = "-0.001 0.006 -0.001 0.007";
+  b.first = "processors * * 1\n";    // the box is high, the body is not
+  return b;
+}
+
+// a rank that waits keeps its core busy: short runs where there are more
+// ranks than cores.  What differs at all differs in the first steps
+
+std::string run()
+{
+  int n;
+  MPI_Comm_size(MPI_COMM_WORLD, &n);
+  return n > 2 ? "run 20\n" : "run 60\n";
+}
+
+std::string newton(Block b, const std::string &flag)
+{
+  b.first += "newton " + flag + "\n";
+  return b.script();
+}
+
+/* ---------------------------------------------------------------------- */
+
+class Ranks : public testing::TestWithParam<std::string> {};
+
+TEST_P(Ranks, DoNotChangeARod)
+{
+  expect_bitwise(alone(newton(rod(), "off") + run()), together(newton(rod(), GetParam()) + run()));
+}
+
+// long enough for the foot to spread and particles to change their rank
+
+TEST(Ranks, DoNotChangeALongRun)
+{
+  const std::string longer = (run() == "run 60\n") ? "run 200\n" : run();
+  expect_bitwise(alone(rod().script() + longer), together(rod().script() + longer));
+}
+
+TEST_P(Ranks, DoNotChangeABlockIn3d)
+{
+  expect_bitwise(alone(newton(block3d(), "off") + run()),
+                 together(newton(block3d(), GetParam()) + run()));
+}
+
+TEST_P(Ranks, DoNotChangeMonaghansViscosity)
+{
+  Block b = rod();
+  b.options = "viscosity monaghan 1 1";
+  if (b.frame == "eulerian") b.options += " gradient plain tensile artificial 0.3 4";
+  expect_bitwise(alone(newton(b, "off") + run()), together(newton(b, GetParam()) + run()));
+}
+
+TEST_P(Ranks, DoNotChangeAQuarterModel)
+{
+  Block b = rod();
+  b.fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n"
+            "fix left all sph/solid/wall xlo -0.0005 symmetry\n"
+            "fix floor all sph/solid/wall ylo -0.0005 symmetry\n";
+  expect_bitwise(alone(newton(b, "off") + run()), together(newton(b, GetParam()) + run()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Newton, Ranks, testing::Values("on", "off"), [](const auto &info) {
+  return info.param;
+});
+
+/* ---------------------------------------------------------------------- */
+
+TEST(Ranks, InOneColumnGiveTheSame)
+{
+  Block b = rod();
+  const std::string reference = b.script() + run();
+  b.first = "processors 1 * 1\n";
+  expect_bitwise(alone(reference), together(b.script() + run()));
+}
+
+// this balancer converts positions to fractions of the box and back
+
+TEST(Ranks, BalancedDuringTheRunGiveTheSameToRounding)
+{
+  const std::string balance = "fix balance all balance 10 1.0 shift xy 10 1.0\n";
+  EXPECT_LT(
+      largest_difference(alone(rod().script() + run()), together(rod().script() + balance + run())),
+      1.0e-12);
+}
+
+TEST(Ranks, InTilesGiveTheSame)
+{
+  const std::string tiles = "comm_style tiled\nfix balance all balance 10 1.0 rcb\n";
+  expect_bitwise(alone(rod().script() + run()), together(rod().script() + tiles + run()));
+}
+
+TEST(Ranks, RareNeighborListsGiveTheSame)
+{
+  const std::string rare = "neighbor 0.001 bin\nneigh_modify every 10 delay 0 check yes\n";
+  expect_bitwise(alone(rod().script() + run()), together(rod().script() + rare + run()));
+}
+
+TEST(Ranks, WithThreadsGiveTheSame)
+{
+  const State reference = alone(rod().script() + run());
+  Session s;
+  s(rod().script());
+  s.lmp->comm->nthreads = 2;
+  s(run());
+  expect_bitwise(reference, s.state());
+}
+
+TEST(Ranks, AgreeOnTheEnergies)
+{
+  const std::string script = rod().script() + "compute e all sph/solid/energy\n" + run();
+  double reference[8] = {};
+  auto read = [](Session &s, double *out) {
+    for (int k = 0; k < 7; k++) out[k] = s.value("c_e[" + std::to_string(k + 1) + "]");
+    out[7] = s.value("c_e");
+  };
+  if (rank_of(MPI_COMM_WORLD) == 0) {
+    Session s(MPI_COMM_SELF);
+    s(script);
+    read(s, reference);
+  }
+  share(reference, sizeof(reference));
+  Session s;
+  s(script);
+  double here[8];
+  read(s, here);
+  for (int k = 0; k < 8; k++) EXPECT_NEAR(here[k], reference[k], 1.0e-12 * reference[7]) << k;
+}
+
+// a file written by one rank continues on all of them
+
+TEST(Ranks, ContinueARestartFileOfOneRank)
+{
+  std::string path = file("restart.one");
+  char text[512] = "";
+  snprintf(text, sizeof(text), "%s", path.c_str());
+  share(text, sizeof(text));
+  path = text;
+  const std::string fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n"
+                            "fix floor all sph/solid/wall ylo 0.0\n";
+  const State reference = alone(rod().script() + "run 30\nwrite_restart " + path + "\n" + run());
+  expect_bitwise(reference,
+                 together("read_restart " + path +
+                          "\nneighbor 0.0003 bin\n"
+                          "neigh_modify every 1 delay 0 check yes\n" +
+                          fixes + run()));
+}
+
+TEST(Ranks, WriteARestartFileThatOneRankContinues)
+{
+  std::string path = file("restart.all");
+  char text[512] = "";
+  snprintf(text, sizeof(text), "%s", path.c_str());
+  share(text, sizeof(text));
+  path = text;
+  together(rod().script() + "run 30\nwrite_restart " + path + "\n");
+  expect_bitwise(alone(rod().script() + "run 30\n" + run()),
+                 alone("read_restart " + path +
+                       "\nneighbor 0.0003 bin\nneigh_modify every 1 delay 0 check yes\n"
+                       "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n"
+                       "fix floor all sph/solid/wall ylo 0.0\n" +
+                       run()));
+}
+
+/* ----------------------------------------------------------------------
+   what only the Lagrangian frame does: partners that are stretched beyond the
+   ghost cutoff, and partners across a periodic boundary
+------------------------------------------------------------------------- */
+
+// the first rank tells what it found
+
+std::string log_of(const Session &s)
+{
+  return rank_of(MPI_COMM_WORLD) == 0 ? s.log() : "";
+}
+
+int ranks()
+{
+  int n;
+  MPI_Comm_size(MPI_COMM_WORLD, &n);
+  return n;
+}
+
+// a ribbon is pulled to twice its length.  A skin of a tenth of a spacing: ghosts
+// reach little further than the kernel did in the reference
+
+std::string ribbon()
+{
+  Block b;
+  b.nx = 14;
+  b.ny = 4;
+  b.frame = "lagrangian";
+  b.boundary = "s s";
+  b.box = "-0.001 0.014 -0.001 0.004";
+  b.first = "processors * 1 1\n";
+  b.material = "inline rho0 7850 eos mie-gruneisen 3600 1.8 1.8 shear 80e9 strength linear 600e6 "
+               "4e9\n";
+  b.motion = "reset_atoms id sort yes\nneighbor 0.0001 bin\nvariable vx atom 1e5*(x-0.0065)\n"
+             "velocity all set v_vx 0 0 units box\n";
+  b.fixes = "fix move all sph/solid\nfix hold all setforce 0 NULL NULL\n"
+            "fix step all sph/solid/dt 1 0.5\nvariable now equal time\n"
+            "fix stop all halt 1 v_now >= 1e-5 error continue message no\n";
+  return b.script();
+}
+
+TEST(RanksOfTheLagrangianFrame, FollowStretchedPartners)
+{
+  const State reference = alone(ribbon() + "run 5000\n");
+  EXPECT_GT(reference.back().x[0] - reference.front().x[0], 2.0 * 13.0e-3);
+  Session s;
+  s(ribbon() + "run 5000\n");
+  expect_bitwise(reference, s.state());
+  if (rank_of(MPI_COMM_WORLD) == 0) {
+    if (ranks() > 1)
+      EXPECT_THAT(log_of(s), HasSubstr("sph/solid: ghost cutoff enlarged to "));
+    else
+      EXPECT_THAT(log_of(s), Not(HasSubstr("ghost cutoff")));
+  }
+}
+
+// stretched sideways and moving through the boundary
+
+TEST(RanksOfTheLagrangianFrame, AgreeOnAPeriodicBar)
+{
+  Block b;
+  b.nx = 12;
+  b.ny = 5;
+  b.frame = "lagrangian";
+  b.boundary = "p f";
+  b.box = "0 0.012 -0.04 0.04";
+  b.first = "processors * 1 1\n";
+  b.motion = "reset_atoms id sort yes\nvariable vy atom 2e4*(y-0.002)*(1+0.3*cos(2*PI*x/0.012))\n"
+             "velocity all set 200 v_vy 0 units box\n";
+  b.fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n";
+  const State reference = alone(b.script() + "run 100\n"),
+              here = together(b.script() + "run 100\n");
+  EXPECT_LT(largest_difference(reference, here), 1.0e-12);
+  EXPECT_GT(std::fabs(here[20].stress[0]), 1.0e7);
+}
+
+}    // namespace
