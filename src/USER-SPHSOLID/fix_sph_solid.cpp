@@ -115,7 +115,7 @@ int FixSPHSolid::modify_param(int narg, char **arg)
 
 bigint FixSPHSolid::velocity_fingerprint() const
 {
-  std::uint64_t mine = 0, all = 0;
+  std::uint64_t mine = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     std::uint64_t hash = static_cast<std::uint64_t>(atom->tag[i]);
     for (int k = 0; k < 3; k++) {
@@ -126,8 +126,11 @@ bigint FixSPHSolid::velocity_fingerprint() const
     }
     mine += hash;
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_UINT64_T, MPI_SUM, world);
-  return static_cast<bigint>(all | 1);
+  // as bigint: the MPI stubs of a serial LAMMPS know no unsigned type
+  bigint own, all;
+  std::memcpy(&own, &mine, sizeof(own));
+  MPI_Allreduce(&own, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all | 1;
 }
 
 /* ----------------------------------------------------------------------

@@ -11,7 +11,7 @@
 #
 # With -objects after the name, only our own sources are compiled, which takes a minute.
 
-set -euo pipefail
+set -Eeuo pipefail    # E: the trap below also sees a failure inside run()
 route=$1
 ordinary=$(cd "$2" && pwd)
 mkdir -p "$3"
