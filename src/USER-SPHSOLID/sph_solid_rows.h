@@ -9,40 +9,54 @@
 #ifndef LMP_SPH_SOLID_ROWS_H
 #define LMP_SPH_SOLID_ROWS_H
 
+#include "sph_solid_vector.h"
+
 #include <vector>
 
 namespace SPHSolid {
 
+// Rows consist of blocks of four doubles (sph_solid_vector.h).  A vector takes
+// half a block in two dimensions and one block, the last double 0, in three.  A
+// tensor T takes one block in two dimensions, row by row; in three one block per
+// column, so that T.a is a sum of blocks times components of a
+
+template <int D> struct Blocks {
+  static constexpr int VECTOR = (D == 2) ? 2 : 4;
+  static constexpr int TENSOR = (D == 2) ? 4 : 12;
+  static constexpr int at(int a, int b) { return (D == 2) ? 2 * a + b : 4 * b + a; }
+};
+
 // kinematic row, filled before the gradient sweep
 
 template <int D> struct Kinematics {
-  static constexpr int X = 0;                 // position
-  static constexpr int V = D;                 // velocity at the half step
-  static constexpr int MASS = 2 * D;          // mass
-  static constexpr int VOLUME = 2 * D + 1;    // the weight of the gradient sweep
-  static constexpr int H = 2 * D + 2;         // smoothing length
-  static constexpr int NEAR = 2 * D + 3;      // support of the nearest-neighbor kernel Wbar
-  static constexpr int STRIDE = (D == 2) ? 8 : 10;
+  static constexpr int X = 0;                    // position
+  static constexpr int V = Blocks<D>::VECTOR;    // velocity at the half step; for heat: see there
+  static constexpr int MASS = 2 * V;             // mass
+  static constexpr int VOLUME = 2 * V + 1;       // the weight of the gradient sweep
+  static constexpr int H = 2 * V + 2;            // smoothing length
+  static constexpr int NEAR = 2 * V + 3;         // support of the nearest-neighbor kernel Wbar
+  static constexpr int STRIDE = 2 * V + 4;
 };
 
 // stress row, filled by the constitutive update and sent to ghosts.
 // force on i from j: K_i K_j (T_i + T_j) grad W.  eulerian, gradient corrected:
-// K = V, T = sigma B^T; plain: K = m, T = sigma/rho^2 (eq. 19).  lagrangian:
-// K = V0, T = sigma C, C = J F^-T B^T
+// K = V, T = sigma B^T; plain: K = m, T = sigma/rho^2 (eq. 19).  lagrangian, where
+// V0_i V0_j takes the place of K_i K_j: T = sigma C, C = J F^-T B^T, K = rho c_L h
 
 template <int D> struct Stress {
-  static constexpr int T = 0;               // D x D, row by row
-  static constexpr int K = D * D;           // weight
-  static constexpr int RHO = D * D + 1;     // density
-  static constexpr int C = D * D + 2;       // bulk sound speed
-  static constexpr int NSUM = D * D + 3;    // n = sum m Wbar of the correction
-  static constexpr int STRIDE = D * D + 4;
-  // followed by tensors (D x D) that only some scenes need.  eulerian: R of the
-  // artificial stress; lagrangian: C, and F' with rho c_L h behind it
+  static constexpr int T = 0;
+  static constexpr int K = Blocks<D>::TENSOR;    // weight, or impedance times h
+  static constexpr int RHO = K + 1;              // density
+  static constexpr int C = K + 2;                // bulk sound speed
+  static constexpr int NSUM = K + 3;             // n = sum m Wbar of the correction
+  static constexpr int STRIDE = K + 4;
+  // followed by tensors that only some scenes need.  eulerian: R of the
+  // artificial stress; lagrangian: C, and F'
 };
 
 // one pair list: row i holds count[i] pairs from first[i] on, of which the
-// first nearest[i] are nearest neighbors.  grad_i W_ij = factor * (y_i - y_j),
+// first nearest[i] are nearest neighbors; after them up to a whole number of
+// vectors the last pair again, with factor 0.  grad_i W_ij = factor * (y_i - y_j),
 // where y are the positions the kernel belongs to: this step's (eulerian) or
 // those of the reference configuration (lagrangian, there times V0_j)
 

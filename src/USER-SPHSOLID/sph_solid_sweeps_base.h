@@ -12,7 +12,7 @@
 
 #include "sph_solid_eos.h"
 #include "sph_solid_kernel.h"
-#include "sph_solid_rows.h"
+#include "sph_solid_lanes.h"
 #include "sph_solid_strength.h"
 #include "sph_solid_sweeps.h"
 
@@ -31,9 +31,9 @@ constexpr double COINCIDE = 1.0e-6;
 
 template <int D> class SweepsBase : public Sweeps {
  public:
-  // ntensors: how many D x D tensors follow the fixed part of a stress row
+  // ntensors: how many tensors follow the fixed part of a stress row
   SweepsBase(const Options &o, const std::vector<TypeData> &t, int ntensors_) :
-      opt(o), types(t), ntensors(ntensors_), stress_stride(Str::STRIDE + ntensors_ * D * D)
+      opt(o), types(t), ntensors(ntensors_), stress_stride(extra(ntensors_))
   {
   }
 
@@ -43,9 +43,9 @@ template <int D> class SweepsBase : public Sweeps {
   void unpack_stress(const Particles &, int, const double *) override;
   void mirror_stress() override;
   bool needs_correction() const override { return opt.viscosity == Viscosity::CORRECT; }
-  double *viscous_acceleration(int i) override { return &da[i * D]; }
+  double *viscous_acceleration(int i) override { return &da[i * VECTOR]; }
   void correction(const Particles &, const NeighborRows &) override;
-  double *displacement(int i) override { return &u[i * D]; }
+  double *displacement(int i) override { return &krow[i * Kin::STRIDE + Kin::V]; }
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
   double sound_speed(int i) const override { return srow[i * stress_stride + Str::C]; }
@@ -55,19 +55,19 @@ template <int D> class SweepsBase : public Sweeps {
  protected:
   using Kin = Kinematics<D>;
   using Str = Stress<D>;
+  static constexpr int VECTOR = Blocks<D>::VECTOR;
 
   Options opt;
   std::vector<TypeData> types;
   int ntensors, stress_stride;
   int nown = 0, nparticles = 0, nrows = 0;    // own; own and ghost; with images
 
-  std::vector<double> krow, srow, da, u;    // rows of kinematics, stress, da, displacement
-  std::vector<double> mu_max;               // largest approach rate of own particles
-  std::vector<double> work;                 // plastic work of this step, own
+  Rows krow, srow, da;           // rows of kinematics, stress, da
+  std::vector<double> mu_max;    // largest approach rate of own particles
+  std::vector<double> work;      // plastic work of this step, own
   Pairs pairs;
   std::vector<int> image_first, image_j;    // candidates among the images
-  std::vector<int> near_first;              // compact rows of correction weights
-  std::vector<double> near_weight;
+  std::vector<double> near_weight;          // of pairs of nearest neighbors, for the correction
   bool weights_known = false;
   std::vector<double> pull;    // viscous force on i = -own weight * pull * x_ij, kept for heat
   bool lonely = false;         // a particle here has no nearest neighbor
@@ -76,7 +76,7 @@ template <int D> class SweepsBase : public Sweeps {
   double *str(int i) { return &srow[i * stress_stride]; }
   const double *str(int i) const { return &srow[i * stress_stride]; }
   // tensor k of those that follow the fixed part of a row
-  static constexpr int extra(int k) { return Str::STRIDE + k * D * D; }
+  static constexpr int extra(int k) { return Str::STRIDE + k * Blocks<D>::TENSOR; }
 
   Vector<D> separation(int i, int j) const
   {
@@ -88,7 +88,7 @@ template <int D> class SweepsBase : public Sweeps {
 
   void size_rows(const Particles &, const NeighborRows &);
   void find_image_candidates(const Particles &, const NeighborRows &, double **x, double reach);
-  void mirror_vectors(std::vector<double> &rows) const;
+  void mirror_vectors(double *rows, int stride) const;
   double wbar_mass(int i, int j, double r) const;
   double retained_viscosity() const;
 
@@ -102,7 +102,7 @@ template <int D> class SweepsBase : public Sweeps {
   static void put_tensor(double *row, const Tensor<D> &t)
   {
     for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) row[a * D + b] = t(a, b);
+      for (int b = 0; b < D; b++) row[Blocks<D>::at(a, b)] = t(a, b);
   }
 
   // is the viscous force of every pair kept for heat?
@@ -113,8 +113,8 @@ template <int D> class SweepsBase : public Sweeps {
   }
   double whole_pull(int i, int pair) const;
   void lonely_pairs(const Particles &, int i);
-  double central_power(int i, const double *s) const;
-  double heat_pairs(int i) const;
+  double lonely_power(int i) const;
+  const double *u(int i) const { return kin(i) + Kin::V; }    // during heat: displacements
 
   // of the frame: volume weight of a kinematic row, what a kept pull is to be
   // multiplied with, how much shorter a time step has to be, the weights of the
@@ -124,8 +124,13 @@ template <int D> class SweepsBase : public Sweeps {
   virtual double step_factor(int) const { return 1.0; }
   virtual void near_weights(int i) = 0;
   virtual bool constant_weights() const { return false; }    // until neighbors are new
-  virtual double heat_stress(int i) const = 0;
-  virtual double heat_hourglass(int) const { return 0.0; }
+
+  // what the forces of a row's pairs give to i while all particles move by u; of
+  // the stress the half with sigma_i, of the others half of each pair's
+  struct Power {
+    double stress = 0.0, viscous = 0.0, hourglass = 0.0;
+  };
+  virtual Power pair_power(int i) const = 0;
   double heat_correction(int i) const;
 };
 
@@ -140,14 +145,12 @@ template <int D> void SweepsBase<D>::size_rows(const Particles &p, const Neighbo
   nrows = p.nall + (images.any() ? images.count() : 0);
   krow.resize(static_cast<std::size_t>(nrows) * Kin::STRIDE);
   srow.resize(static_cast<std::size_t>(nrows) * stress_stride);
-  u.resize(static_cast<std::size_t>(nrows) * D);
-  if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * D);
+  if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * VECTOR);
   mu_max.assign(p.nlocal, 0.0);
   work.assign(p.nlocal, 0.0);
   pairs.first.assign(p.nlocal + 1, 0);
   pairs.count.assign(p.nlocal, 0);
   pairs.nearest.assign(p.nlocal, 0);
-  near_first.assign(p.nlocal + 1, 0);
   weights_known = false;
 
   for (int ii = 0; ii < list.inum; ii++) {
@@ -156,7 +159,7 @@ template <int D> void SweepsBase<D>::size_rows(const Particles &p, const Neighbo
   }
   for (int i = 0; i < p.nlocal; i++) {
     if (images.any()) pairs.first[i + 1] += image_first[i + 1] - image_first[i];
-    pairs.first[i + 1] += pairs.first[i];
+    pairs.first[i + 1] = pairs.first[i] + whole_vectors(pairs.first[i + 1]);
   }
   pairs.j.resize(pairs.first[p.nlocal]);
   pairs.factor.resize(pairs.first[p.nlocal]);
@@ -284,8 +287,8 @@ template <int D> void SweepsBase<D>::mirror_stress()
     std::copy(from, from + stress_stride, row);
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) {
-        row[Str::T + a * D + b] *= sign[a] * sign[b];
-        for (int t = 0; t < ntensors; t++) row[extra(t) + a * D + b] *= sign[a] * sign[b];
+        row[Str::T + Blocks<D>::at(a, b)] *= sign[a] * sign[b];
+        for (int t = 0; t < ntensors; t++) row[extra(t) + Blocks<D>::at(a, b)] *= sign[a] * sign[b];
       }
   }
 
@@ -295,13 +298,13 @@ template <int D> void SweepsBase<D>::mirror_stress()
   if (keeps_pairs()) pull.resize(pairs.j.size());
 }
 
-template <int D> void SweepsBase<D>::mirror_vectors(std::vector<double> &rows) const
+template <int D> void SweepsBase<D>::mirror_vectors(double *rows, int stride) const
 {
   for (int k = 0; k < nrows - nparticles; k++) {
     double sign[3];
     images.signs(k, sign);
     for (int a = 0; a < D; a++)
-      rows[(nparticles + k) * D + a] = sign[a] * rows[images.source_of(k) * D + a];
+      rows[(nparticles + k) * stride + a] = sign[a] * rows[images.source_of(k) * stride + a];
   }
 }
 
@@ -319,8 +322,7 @@ template <int D> double SweepsBase<D>::wbar_mass(int i, int j, double r) const
 
 template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
 {
-  mirror_vectors(da);
-  near_weight.resize(near_first[nown]);
+  mirror_vectors(da.data(), VECTOR);
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
 #endif
@@ -328,10 +330,12 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
     const int i = list.ilist[ii];
     if (!weights_known) near_weights(i);
     const int *j = &pairs.j[pairs.first[i]];
-    const double *w = &near_weight[near_first[i]];
+    const double *w = &near_weight[pairs.first[i]], *di = &da[i * VECTOR];
     double sum[D] = {};
-    for (int k = 0; k < pairs.nearest[i]; k++)
-      for (int a = 0; a < D; a++) sum[a] += w[k] * (da[i * D + a] - da[j[k] * D + a]);
+    for (int k = 0; k < pairs.nearest[i]; k++) {
+      const double *dj = &da[j[k] * VECTOR];
+      for (int a = 0; a < D; a++) sum[a] += w[k] * (di[a] - dj[a]);
+    }
     for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * sum[a];
   }
   weights_known = constant_weights();
@@ -345,26 +349,28 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
 template <int D>
 void SweepsBase<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
 {
-  mirror_vectors(u);
+  mirror_vectors(&krow[Kin::V], Kin::STRIDE);
   double viscous = 0.0, standard = 0.0, damped = 0.0;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, standard, damped)
 #endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
-    double q = keeps_pairs() ? heat_pairs(i) : 0.0;
+    const Power power = pair_power(i);
+    double q = power.viscous;
     if (needs_correction()) {
       // what the standard viscosity would heat: q has all of it for eq. 30,
       // else the pairs that no correction touches
+      if (opt.heating == Heating::COMPATIBLE) {
+        q = lonely ? lonely_power(i) : 0.0;
+        for (int a = 0; a < D; a++) standard -= kin(i)[Kin::MASS] * da[i * VECTOR + a] * u(i)[a];
+      }
       standard += q;
-      if (opt.heating != Heating::PRINTED)
-        for (int a = 0; a < D; a++) standard -= kin(i)[Kin::MASS] * da[i * D + a] * u[i * D + a];
       q += heat_correction(i);
     }
-    const double hourglass = heat_hourglass(i);
-    heat[i] = heat_stress(i) + q + hourglass;
+    heat[i] = power.stress + q + power.hourglass;
     viscous += q;
-    damped += hourglass;
+    damped += power.hourglass;
   }
   if (!book) return;
   ledger.viscous_heat += viscous;
@@ -393,37 +399,15 @@ template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
   }
 }
 
-// sum s_ij x_ij . (u_i - u_j) over the pairs of a row, of whom s is one number each
+// half the work of the pairs that the correction leaves alone
 
-template <int D> double SweepsBase<D>::central_power(int i, const double *s) const
+template <int D> double SweepsBase<D>::lonely_power(int i) const
 {
-  const int *jlist = &pairs.j[pairs.first[i]], n = pairs.count[i];
-  const double *kall = krow.data(), *uall = u.data(), *ki = kin(i), *ui = &u[i * D];
-  const double xi = ki[0], yi = ki[1], zi = ki[D - 1], ux = ui[0], uy = ui[1], uz = ui[D - 1];
-  double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (int k = 0; k < n; k++) {
-    const double *kj = kall + static_cast<std::int64_t>(jlist[k]) * Kin::STRIDE;
-    const double *uj = uall + static_cast<std::int64_t>(jlist[k]) * D;
-    double ur = (xi - kj[0]) * (ux - uj[0]) + (yi - kj[1]) * (uy - uj[1]);
-    if (D == 3) ur += (zi - kj[D - 1]) * (uz - uj[D - 1]);
-    sum += s[k] * ur;
-  }
-  return sum;
-}
-
-// half the work of the standard pair viscosity; in a correction only of the
-// pairs it leaves alone, unless the printed eq. 30 is asked for
-
-template <int D> double SweepsBase<D>::heat_pairs(int i) const
-{
-  const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
-  if (all) return 0.5 * own_weight(i) * central_power(i, &pull[pairs.first[i]]);
   double sum = 0.0;
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const int j = pairs.j[k];
     const double s = whole_pull(i, k);
-    for (int a = 0; a < D; a++) sum += s * (u[i * D + a] - u[j * D + a]) * (kin(i)[a] - kin(j)[a]);
+    for (int a = 0; a < D; a++) sum += s * (u(i)[a] - u(j)[a]) * (kin(i)[a] - kin(j)[a]);
   }
   return 0.5 * sum;
 }
@@ -437,21 +421,21 @@ template <int D> double SweepsBase<D>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
   const bool shepard = opt.weights == Weights::SHEPARD;
+  const double *di = &da[i * VECTOR], *ui = u(i);
   double sum = 0.0;
   for (int k = 0; k < pairs.nearest[i]; k++) {
     const int j = pairs.j[pairs.first[i] + k];
+    const double *dj = &da[j * VECTOR], *uj = u(j);
     double power = 0.0;
     for (int a = 0; a < D; a++) {
-      const double ui = u[i * D + a], uj = u[j * D + a];
-      const double dai = da[i * D + a], daj = da[j * D + a];
       if (printed)
-        power += 0.5 * (ui - uj) * daj;
+        power += 0.5 * (ui[a] - uj[a]) * dj[a];
       else if (shepard)
-        power -= 0.5 * ui * (dai - daj);
+        power -= 0.5 * ui[a] * (di[a] - dj[a]);
       else
-        power -= 0.25 * (ui - uj) * (dai - daj);
+        power -= 0.25 * (ui[a] - uj[a]) * (di[a] - dj[a]);
     }
-    sum += near_weight[near_first[i] + k] * power;
+    sum += near_weight[pairs.first[i] + k] * power;
   }
   return kin(i)[Kin::MASS] * sum;
 }
@@ -484,12 +468,11 @@ template <int D> double SweepsBase<D>::retained_viscosity() const
 
 template <int D> double SweepsBase<D>::memory_usage() const
 {
-  const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() + u.capacity() +
+  const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
       mu_max.capacity() + work.capacity() + pull.capacity() + pairs.factor.capacity() +
       near_weight.capacity();
   const std::size_t ints = pairs.first.capacity() + pairs.count.capacity() +
-      pairs.nearest.capacity() + pairs.j.capacity() + image_first.capacity() + image_j.capacity() +
-      near_first.capacity();
+      pairs.nearest.capacity() + pairs.j.capacity() + image_first.capacity() + image_j.capacity();
   return static_cast<double>(doubles * sizeof(double) + ints * sizeof(int));
 }
 

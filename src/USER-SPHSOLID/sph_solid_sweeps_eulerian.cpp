@@ -31,11 +31,11 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
 
  private:
   using Base = SweepsBase<D>;
-  using Base::extra, Base::image_first, Base::image_j, Base::images, Base::kin, Base::krow,
-      Base::ledger, Base::lonely, Base::mu_max, Base::near_first, Base::near_weight,
+  using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
+      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_weight,
       Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::separation,
-      Base::srow, Base::str, Base::stress_stride, Base::types, Base::u, Base::wbar_mass,
-      Base::whole_pull, Base::work, Base::keeps_pairs, Base::da;
+      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass,
+      Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -62,7 +62,9 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   template <bool VISCOUS, bool TENSILE> void force_row(const Particles &, int i);
   template <bool VISCOUS> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
-  double heat_stress(int i) const override;
+  Four crowding_of(int i, const int *j, Four r2) const;
+  typename Base::Power pair_power(int i) const override;
+  template <bool PULL, bool TENSILE> typename Base::Power pair_power(int i) const;
 };
 
 /* ---------------------------------------------------------------------- */
@@ -72,6 +74,7 @@ void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &li
 {
   Base::find_image_candidates(p, list, p.x, reach);
   Base::size_rows(p, list);
+  if (needs_correction()) near_weight.resize(pairs.j.size());
 }
 
 /* ----------------------------------------------------------------------
@@ -214,17 +217,22 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
 
       Sums sums = accumulate(i, s, n);
       if (correct)
-        for (int k = 0; k < s.nnear; k++)
-          sums.nsum += wbar_mass(i, s.j[k], separation(i, s.j[k]).norm());
+        for (int k = 0; k < s.nnear; k++) {
+          near_weight[start + k] = wbar_mass(i, s.j[k], separation(i, s.j[k]).norm());
+          sums.nsum += near_weight[start + k];
+        }
       std::copy(s.j.begin(), s.j.begin() + n, pairs.j.begin() + start);
       std::copy(s.factor.begin(), s.factor.begin() + n, pairs.factor.begin() + start);
+      for (int k = n; k < whole_vectors(n); k++) {    // the last one again, without weight
+        pairs.j[start + k] = s.j[n - 1];
+        pairs.factor[start + k] = 0.0;
+      }
       pairs.count[i] = n;
       pairs.nearest[i] = correct ? s.nnear : 0;
       if (!update(p, i, sums, dt)) bad = i;
     }
   }
 
-  for (int i = 0; i < p.nlocal; i++) near_first[i + 1] = near_first[i] + pairs.nearest[i];
   for (int ii = 0; ii < list.inum; ii++) ledger.plastic_work += work[list.ilist[ii]];
   return bad;
 }
@@ -289,106 +297,78 @@ template <int D>
 template <bool VISCOUS, bool TENSILE>
 void EulerianSweeps<D>::force_row(const Particles &p, int i)
 {
-  const int start = pairs.first[i], n = pairs.count[i];
-  const int *jlist = &pairs.j[start];
-  const double *factor = &pairs.factor[start];
-  const double *ki = kin(i), *si = str(i);
-  const double *kall = krow.data(), *sall = srow.data();
-  const int ss = stress_stride;
-  const double xi = ki[0], yi = ki[1], zi = ki[D - 1];
-  const double ui = ki[D], vi = ki[D + 1], wi = ki[2 * D - 1];
-  const double hi = ki[Kin::H], rhoi = si[Str::RHO], ci = si[Str::C];
-  const double a1 = opt.a1, a2 = opt.a2;
-  const bool keep = keeps_pairs();
-  double *kept = keep ? &pull[start] : nullptr;    // m_j Pi_ij F_ij
+  const double *kall = krow.data(), *sall = srow.data(), *ki = kin(i), *si = str(i);
+  const Motion<D> own(ki);
+  const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + extra(0) : si);
+  const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
-  const bool correct = needs_correction();
-  const double ok_i = (!correct || si[Str::NSUM] > 0.0) ? 1.0 : 0.0;
+  const Four zero = all(0.0), ok_i = all(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
+  Four stress = zero, viscous = zero, mu_least = zero;
 
-  double fx = 0, fy = 0, fz = 0, qx = 0, qy = 0, qz = 0, mu_least = 0;
-
-#pragma omp simd reduction(+ : fx, fy, fz, qx, qy, qz) reduction(min : mu_least)
-  for (int k = 0; k < n; k++) {
-    const double *kj = kall + static_cast<std::int64_t>(jlist[k]) * Kin::STRIDE;
-    const double *sj = sall + static_cast<std::int64_t>(jlist[k]) * ss;
-    const double dx = xi - kj[0], dy = yi - kj[1];
-    const double dz = (D == 3) ? zi - kj[D - 1] : 0.0;
-    const double F = factor[k];
-
-    double txx = si[0] + sj[0], txy = si[1] + sj[1];
-    double tyx = si[D] + sj[D], tyy = si[D + 1] + sj[D + 1];
-    double txz = 0, tyz = 0, tzx = 0, tzy = 0, tzz = 0;
-    if (D == 3) {
-      txz = si[2] + sj[2];
-      tyz = si[D + 2] + sj[D + 2];
-      tzx = si[2 * D] + sj[2 * D];
-      tzy = si[2 * D + 1] + sj[2 * D + 1];
-      tzz = si[D * D - 1] + sj[D * D - 1];
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+    Motion<D> d[LANES];
+    Four state[LANES], inertia[LANES], tensile[LANES];
+    for (int m = 0; m < LANES; m++) {
+      const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
+      const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
+      d[m] = own - Motion<D>(kj);
+      const Several<D> g = d[m].spread_x() * all(sj[Str::K] * pairs.factor[k + m]);
+      stress += times(T + load_tensor<D>(sj), g);
+      if (TENSILE) tensile[m] = times(R + load_tensor<D>(sj + extra(0)), g);
+      if (VISCOUS) {
+        state[m] = load(sj + Str::K);
+        inertia[m] = load(kj + Kin::MASS);
+      }
     }
+    if (!VISCOUS && !TENSILE) continue;
+
+    Four r2, vr;
+    Motion<D>::dots(d, r2, vr);
     if (TENSILE) {
-      const double *ri = si + extra(0), *rj = sj + extra(0);
-      const double r = std::sqrt(dx * dx + dy * dy + dz * dz);
-      const double fn = crowding_of(i, jlist[k], r);
-      txx += fn * (ri[0] + rj[0]);
-      txy += fn * (ri[1] + rj[1]);
-      tyx += fn * (ri[D] + rj[D]);
-      tyy += fn * (ri[D + 1] + rj[D + 1]);
-      if (D == 3) {
-        txz += fn * (ri[2] + rj[2]);
-        tyz += fn * (ri[D + 2] + rj[D + 2]);
-        tzx += fn * (ri[2 * D] + rj[2 * D]);
-        tzy += fn * (ri[2 * D + 1] + rj[2 * D + 1]);
-        tzz += fn * (ri[D * D - 1] + rj[D * D - 1]);
-      }
+      const Four fn = crowding_of(i, &pairs.j[k], r2);
+      for (int m = 0; m < LANES; m++) stress += all(fn[m]) * tensile[m];
     }
-    const double w = sj[Str::K] * F;
-    fx += w * (txx * dx + txy * dy + txz * dz);
-    fy += w * (tyx * dx + tyy * dy + tyz * dz);
-    if (D == 3) fz += w * (tzx * dx + tzy * dy + tzz * dz);
-
     if (VISCOUS) {
-      double r2 = dx * dx + dy * dy;
-      double vr = (ui - kj[D]) * dx + (vi - kj[D + 1]) * dy;
-      if (D == 3) {
-        r2 += dz * dz;
-        vr += (wi - kj[2 * D - 1]) * dz;
-      }
-      const double mu = approach_rate(vr, r2, 0.5 * (hi + kj[Kin::H]));
-      const double Pi =
-          monaghan_pi(a1, a2, 0.5 * (ci + sj[Str::C]), 0.5 * (rhoi + sj[Str::RHO]), mu);
-      const double ok_j = sj[Str::NSUM] > 0.0 ? ok_i : 0.0;
-      const double q = kj[Kin::MASS] * Pi * F;
-      if (keep) kept[k] = q;
-      const double masked = correct ? ok_j * q : q;
-      qx -= masked * dx;
-      qy -= masked * dy;
-      if (D == 3) qz -= masked * dz;
-      mu_least = mu < mu_least ? mu : mu_least;
+      transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum of the neighbors
+      transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
+      const Four h = 0.5 * (ki[Kin::H] + inertia[2]);
+      const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
+      const Four mu = approach_rate(vr, r2, h);
+      Four q = inertia[0] * monaghan_pi(opt.a1, opt.a2, c, rho, mu) * load(&pairs.factor[k]);
+      if (keep) store(&pull[k], q);    // m_j Pi_ij F_ij
+      if (correct) q = where_positive(state[3], ok_i * q, zero);
+      for (int m = 0; m < LANES; m++) viscous -= all(q[m]) * d[m].x();
+      mu_least = minimum(mu_least, mu);
     }
   }
 
-  double *f = p.f[i];
   const double K = si[Str::K], mass = ki[Kin::MASS];
-  const double stress_force[3] = {K * fx, K * fy, K * fz}, acceleration[3] = {qx, qy, qz};
   for (int a = 0; a < D; a++) {
-    f[a] += stress_force[a];
+    p.f[i][a] += K * folded<D>(stress, a);
     if (VISCOUS && correct)
-      da[i * D + a] = acceleration[a];
+      da[i * VECTOR + a] = viscous[a];
     else if (VISCOUS)
-      f[a] += mass * acceleration[a];
+      p.f[i][a] += mass * viscous[a];
   }
-  mu_max[i] = -mu_least;
+  mu_max[i] = -least(mu_least);
 }
+
+// of four pairs
+
+template <int D> Four EulerianSweeps<D>::crowding_of(int i, const int *j, Four r2) const
+{
+  return Four{crowding_of(i, j[0], std::sqrt(r2[0])), crowding_of(i, j[1], std::sqrt(r2[1])),
+              crowding_of(i, j[2], std::sqrt(r2[2])), crowding_of(i, j[3], std::sqrt(r2[3]))};
+}
+
+// in: m_j Wbar_ij, from the gradient sweep
 
 template <int D> void EulerianSweeps<D>::near_weights(int i)
 {
-  for (int k = 0; k < pairs.nearest[i]; k++) {
-    const int j = pairs.j[pairs.first[i] + k];
-    const double m_wbar = wbar_mass(i, j, separation(i, j).norm());
-    near_weight[near_first[i] + k] =
-        correction_weight(opt.weights, m_wbar, str(i)[Str::NSUM], str(j)[Str::NSUM]);
-  }
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++)
+    near_weight[k] = correction_weight(opt.weights, near_weight[k], str(i)[Str::NSUM],
+                                       str(pairs.j[k])[Str::NSUM]);
 }
 
 /* ----------------------------------------------------------------------
@@ -398,37 +378,34 @@ template <int D> void EulerianSweeps<D>::near_weights(int i)
 // stress power K_i T_i : sum_j K_j (u_j - u_i) (x) g: the sigma_i half of
 // eq. 20, exact adjoint of the force
 
-template <int D> double EulerianSweeps<D>::heat_stress(int i) const
+template <int D> typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
-  const int start = pairs.first[i], n = pairs.count[i];
-  const double *ki = kin(i), *si = str(i), *kall = krow.data(), *sall = srow.data();
-  const double *uall = u.data(), *uown = uall + i * D;
-  const int ss = stress_stride;
-  const bool tensile = opt.tensile;
-  double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (int k = 0; k < n; k++) {
-    const std::int64_t j = pairs.j[start + k];
-    const double *kj = kall + j * Kin::STRIDE, *uj = uall + j * D;
-    const double w = sall[j * ss + Str::K] * pairs.factor[start + k];
-    double d[3] = {0, 0, 0}, r2 = 0;
-    for (int b = 0; b < D; b++) {
-      d[b] = ki[b] - kj[b];
-      r2 += d[b] * d[b];
-    }
-    const double fn = tensile ? crowding_of(i, static_cast<int>(j), std::sqrt(r2)) : 0.0;
-    double power = 0.0;
-    for (int a = 0; a < D; a++) {
-      double t = 0.0;
-      for (int b = 0; b < D; b++) {
-        t += si[a * D + b] * d[b];
-        if (tensile) t += fn * si[extra(0) + a * D + b] * d[b];
-      }
-      power += (uj[a] - uown[a]) * t;
-    }
-    sum += w * power;
+  const bool pulls = keeps_pairs() && !(needs_correction() && opt.heating == Heating::COMPATIBLE);
+  if (opt.tensile) return pulls ? pair_power<true, true>(i) : pair_power<false, true>(i);
+  return pulls ? pair_power<true, false>(i) : pair_power<false, false>(i);
+}
+
+template <int D>
+template <bool PULL, bool TENSILE>
+typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
+{
+  const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
+  const Motion<D> own(kin(i));
+  Several<D> gradient = Several<D>::zero(), crowded = gradient;
+  Four viscous = all(0.0);
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    const std::int64_t j = pairs.j[k];
+    const Motion<D> d = own - Motion<D>(kall + j * Kin::STRIDE);
+    const double K_j = sall[j * stress_stride + Str::K];
+    const Several<D> g = d.spread_x() * all(-K_j * pairs.factor[k]);
+    add_outer(gradient, d.expanded_v(), g);
+    if (TENSILE)
+      add_outer(crowded, d.expanded_v(), g * all(crowding_of(i, j, separation(i, j).norm())));
+    if (PULL) viscous += all(pull[k]) * d.products();
   }
-  return si[Str::K] * sum;
+  double stress = contract(gradient, load_tensor<D>(si));
+  if (TENSILE) stress += contract(crowded, load_tensor<D>(si + extra(0)));
+  return {si[Str::K] * stress, 0.5 * own_weight(i) * Motion<D>::v_dot_x(viscous), 0.0};
 }
 
 /* ----------------------------------------------------------------------
@@ -449,14 +426,14 @@ void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, doub
       for (int a = 0; a < D; a++) {
         f[a] = 0.0;
         for (int b = 0; b < D; b++) {
-          const int ab = a * D + b;
+          const int ab = Blocks<D>::at(a, b);
           f[a] += w * (str(i)[ab] + str(j)[ab]) * d[b];
           if (opt.tensile) f[a] += w * fn * (str(i)[extra(0) + ab] + str(j)[extra(0) + ab]) * d[b];
         }
         f[a] -= whole_pull(i, pairs.first[i] + k) * d[a];
         if (k < pairs.nearest[i])
-          f[a] += 0.5 * kin(i)[Kin::MASS] * near_weight[near_first[i] + k] *
-              (da[i * D + a] - da[j * D + a]);
+          f[a] += 0.5 * kin(i)[Kin::MASS] * near_weight[pairs.first[i] + k] *
+              (da[i * VECTOR + a] - da[j * VECTOR + a]);
       }
       for (int a = 0; a < D; a++)
         for (int b = a; b < D; b++) six[VOIGT[a][b]] += 0.5 * d[a] * f[b];

@@ -43,7 +43,6 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
       SweepsBase<D>(o, t, count_tensors(o))
   {
-    if (needs_rates()) stress_stride += 1;
   }
 
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
@@ -56,14 +55,14 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
  private:
   using Base = SweepsBase<D>;
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
-      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_first,
-      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
-      Base::separation, Base::srow, Base::str, Base::stress_stride, Base::types, Base::u,
-      Base::wbar_mass, Base::whole_pull, Base::work;
+      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_weight,
+      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::separation,
+      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass,
+      Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
-  std::vector<double> sep[D];      // X_i - X_j of every pair
+  std::vector<double> sep;         // X_i - X_j of every pair, D doubles
   std::vector<double> nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
   std::vector<double> B, F;        // of own particles, D x D
   std::vector<double> nsum;        // n of the correction, own
@@ -77,10 +76,9 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
     const bool visc = o.viscosity != Viscosity::NONE;
     return (visc ? 1 : 0) + (o.hourglass > 0.0 || o.viscosity == Viscosity::LIMITED ? 1 : 0);
   }
-  // where in a stress row: C, F', rho c_L h
+  // where in a stress row: C, F'
   int at_C() const { return extra(0); }
   int at_rate() const { return extra(viscous() ? 1 : 0); }
-  int at_impedance() const { return stress_stride - 1; }
 
   bool constant_weights() const override { return true; }
   double own_weight(int i) const override { return kin(i)[Kin::VOLUME]; }
@@ -90,23 +88,38 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   Vector<D> reference_position(const Particles &, int row) const;
   Vector<D> reference_separation(const Particles &, int i, int row) const;
   int add_pairs(const Particles &, int i, int n, const int *list, bool nearest, int at);
+  void fill_vectors(int i);
   void correct_row(const Particles &, int i);
-  Tensor<D> tensor(const std::vector<double> &all, int i) const
+  Tensor<D> tensor(const std::vector<double> &rows, int i) const
   {
-    return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(&all[i * D * D]);
+    return Eigen::Map<const Tensor<D>>(&rows[i * D * D]);
+  }
+  static void put_own(std::vector<double> &rows, int i, const Tensor<D> &t)
+  {
+    Eigen::Map<Tensor<D>> own(&rows[i * D * D]);
+    own = t;
   }
 
   struct Sums {
     Tensor<D> displacement, velocity;    // sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
   };
+  static Tensor<D> eigen(const Several<D> &t)
+  {
+    double row[Blocks<D>::TENSOR];
+    store_tensor(row, t);
+    Tensor<D> out;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) out(a, b) = row[Blocks<D>::at(a, b)];
+    return out;
+  }
   Sums accumulate(int i) const;
   bool update(const Particles &, int i, double dt);
   template <bool VISCOUS, bool LIMITED, bool HOURGLASS> void force_row(const Particles &, int i);
   template <bool VISCOUS, bool LIMITED, bool HOURGLASS>
   void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
-  double heat_stress(int i) const override;
-  double heat_hourglass(int i) const override;
+  typename Base::Power pair_power(int i) const override;
+  template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;
 };
 
 /* ----------------------------------------------------------------------
@@ -155,7 +168,7 @@ int LagrangianSweeps<D>::add_pairs(const Particles &p, int i, int n, const int *
     pairs.j[at] = j;
     pairs.factor[at] = p.vref[source] * CubicSpline<D>::gradient_factor(r, h);
     nearness[at] = q / (q * q + MU_EPSILON);
-    for (int a = 0; a < D; a++) sep[a][at] = X[a];
+    for (int a = 0; a < D; a++) sep[at * D + a] = X[a];
     at++;
   }
   return at;
@@ -167,7 +180,7 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   Base::find_image_candidates(p, list, p.xref, reach);
   Base::size_rows(p, list);
   const std::size_t n = pairs.j.size();
-  for (int a = 0; a < D; a++) sep[a].resize(n);
+  sep.resize(n * D);
   if (opt.hourglass > 0.0) damp.resize(n);
   nearness.resize(n);
   B.resize(static_cast<std::size_t>(p.nlocal) * D * D);
@@ -184,10 +197,23 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
     at = add_pairs(p, i, list.numneigh[i], list.firstneigh[i], false, at);
     at = add_pairs(p, i, nimage, image, false, at);
     pairs.count[i] = at - start;
+    fill_vectors(i);
     correct_row(p, i);
   }
-  for (int i = 0; i < p.nlocal; i++) near_first[i + 1] = near_first[i] + pairs.nearest[i];
-  near_weight.resize(near_first[p.nlocal]);
+  if (needs_correction()) near_weight.resize(n);
+}
+
+// the last pair again, without weight
+
+template <int D> void LagrangianSweeps<D>::fill_vectors(int i)
+{
+  const int n = pairs.count[i], last = pairs.first[i] + n - 1;
+  for (int at = last + 1; at < pairs.first[i] + whole_vectors(n); at++) {
+    pairs.j[at] = pairs.j[last];
+    pairs.factor[at] = 0.0;
+    nearness[at] = nearness[last];
+    for (int a = 0; a < D; a++) sep[at * D + a] = sep[last * D + a];
+  }
 }
 
 // B_i and, for the acceleration correction, n_i = sum m_j Wbar(X_ij)
@@ -197,7 +223,7 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
   Tensor<D> M = Tensor<D>::Zero();
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     Vector<D> X;
-    for (int a = 0; a < D; a++) X[a] = sep[a][k];
+    for (int a = 0; a < D; a++) X[a] = sep[k * D + a];
     M -= pairs.factor[k] * X * X.transpose();
     if (k >= pairs.first[i] + pairs.nearest[i]) continue;
     const int j = pairs.j[k], source = j < p.nall ? j : images.source_of(j - p.nall);
@@ -205,7 +231,7 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
     nsum[i] += p.mass[source] * CubicSpline<D>::w(X.norm(), 0.5 * opt.hbar * spacing);
   }
   const bool enough = M.determinant() >= DET_FALLBACK;
-  Base::put_tensor(&B[i * D * D], enough ? Tensor<D>(M.inverse()) : Tensor<D>::Identity());
+  put_own(B, i, enough ? Tensor<D>(M.inverse()) : Tensor<D>::Identity());
 }
 
 /* ----------------------------------------------------------------------
@@ -214,53 +240,19 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
 
 template <int D> typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int i) const
 {
-  const int start = pairs.first[i], n = pairs.count[i];
-  const int *jlist = &pairs.j[start];
-  const double *w = &pairs.factor[start], *kall = krow.data(), *ki = kin(i);
-  const double *X = &sep[0][start], *Y = &sep[1][start], *Z = &sep[D - 1][start];
-  const double xi = ki[0], yi = ki[1], zi = ki[D - 1];
-  const double ui = ki[D], vi = ki[D + 1], wi = ki[2 * D - 1];
-  double fxx = 0, fxy = 0, fxz = 0, fyx = 0, fyy = 0, fyz = 0, fzx = 0, fzy = 0, fzz = 0;
-  double lxx = 0, lxy = 0, lxz = 0, lyx = 0, lyy = 0, lyz = 0, lzx = 0, lzy = 0, lzz = 0;
+  const double *kall = krow.data();
+  const Motion<D> own(kin(i));
+  Several<D> displacement = Several<D>::zero(), velocity = Several<D>::zero();
 
-#pragma omp simd reduction(+ : fxx, fxy, fxz, fyx, fyy, fyz, fzx, fzy, fzz, lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz)
-  for (int k = 0; k < n; k++) {
-    const double *kj = kall + static_cast<std::int64_t>(jlist[k]) * Kin::STRIDE;
-    const double gx = w[k] * X[k], gy = w[k] * Y[k];                // V0_j g_ij
-    const double dx = kj[0] - xi + X[k], dy = kj[1] - yi + Y[k];    // u_j - u_i
-    const double du = kj[D] - ui, dv = kj[D + 1] - vi;
-    fxx += dx * gx;
-    fxy += dx * gy;
-    fyx += dy * gx;
-    fyy += dy * gy;
-    lxx += du * gx;
-    lxy += du * gy;
-    lyx += dv * gx;
-    lyy += dv * gy;
-    if (D == 3) {
-      const double gz = w[k] * Z[k], dz = kj[D - 1] - zi + Z[k], dw = kj[2 * D - 1] - wi;
-      fxz += dx * gz;
-      fyz += dy * gz;
-      fzx += dz * gx;
-      fzy += dz * gy;
-      fzz += dz * gz;
-      lxz += du * gz;
-      lyz += dv * gz;
-      lzx += dw * gx;
-      lzy += dw * gy;
-      lzz += dw * gz;
-    }
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    const double *X = &sep[k * D];
+    const Several<D> g = load_spread<D>(X) * all(pairs.factor[k]);    // V0_j g_ij
+    Motion<D> d = Motion<D>(kall + static_cast<std::int64_t>(pairs.j[k]) * Kin::STRIDE) - own;
+    d.move_by(X);    // x_j - x_i + X_i - X_j = u_j - u_i
+    add_outer(displacement, d.expanded_x(), g);
+    add_outer(velocity, d.expanded_v(), g);
   }
-
-  Sums out;
-  if constexpr (D == 2) {
-    out.displacement << fxx, fxy, fyx, fyy;
-    out.velocity << lxx, lxy, lyx, lyy;
-  } else {
-    out.displacement << fxx, fxy, fxz, fyx, fyy, fyz, fzx, fzy, fzz;
-    out.velocity << lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz;
-  }
-  return out;
+  return {eigen(displacement), eigen(velocity)};
 }
 
 template <int D>
@@ -285,21 +277,21 @@ template <int D> bool LagrangianSweeps<D>::update(const Particles &p, int i, dou
   const Tensor<D> correction = tensor(B, i);
   const Tensor<D> Fi = Tensor<D>::Identity() + sums.displacement * correction;
   const Tensor<D> rate = sums.velocity * correction;
-  Base::put_tensor(&F[i * D * D], Fi);
+  put_own(F, i, Fi);
   Tensor<D> L = Tensor<D>::Zero();
   if (dt > 0.0) L = rate * Tensor<D>(Fi - 0.5 * dt * rate).inverse();
   const auto point = Base::update_point(p, i, L, dt);
 
   const double rho = point.state.rho, J = p.mass[i] / (rho * p.vref[i]);
   const Tensor<D> C = J * Fi.inverse().transpose() * correction.transpose();
-  Base::write_row(i, point, point.sigma * C, p.vref[i], nsum[i]);
+  Base::write_row(i, point, point.sigma * C, 0.0, nsum[i]);
   double *row = str(i);
   if (viscous()) Base::put_tensor(row + at_C(), C);
   if (needs_rates()) {
     const TypeData &t = types[p.type[i]];
+    const double c = row[Str::C];
     Base::put_tensor(row + at_rate(), rate);
-    row[at_impedance()] =
-        rho * t.h * std::sqrt(row[Str::C] * row[Str::C] + 4.0 * t.material.shear / (3.0 * rho));
+    row[Str::K] = rho * t.h * std::sqrt(c * c + 4.0 * t.material.shear / (3.0 * rho));
   }
   return rho > 0.0 && std::isfinite(point.eos.P) && std::isfinite(point.state.S.sum()) &&
       std::isfinite(C.sum());
@@ -334,19 +326,6 @@ void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &lis
   }
 }
 
-// a . T b.  Components by name, here and below: arrays that are private to a
-// vector loop would go through memory
-
-template <int D>
-inline double bilinear(const double *T, double ax, double ay, double az, double bx, double by,
-                       double bz)
-{
-  if (D == 2) return ax * (T[0] * bx + T[1] * by) + ay * (T[D] * bx + T[D + 1] * by);
-  return ax * (T[0] * bx + T[1] * by + T[2] * bz) +
-      ay * (T[D] * bx + T[D + 1] * by + T[D + 2] * bz) +
-      az * (T[2 * D] * bx + T[2 * D + 1] * by + T[D * D - 1] * bz);
-}
-
 // f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass.
 // viscosity: central, Pi = rho mu (a2 mu - a1 c) with eq. 24's mu at the
 // reference distance, G = min(0, x.(C_i+C_j)g/2)/x^2 the kernel gradient along x.
@@ -358,93 +337,74 @@ template <int D>
 template <bool VISCOUS, bool LIMITED, bool HOURGLASS>
 void LagrangianSweeps<D>::force_row(const Particles &p, int i)
 {
-  const int start = pairs.first[i], n = pairs.count[i];
-  const int *jlist = &pairs.j[start];
-  const double *w = &pairs.factor[start];
-  const double *ki = kin(i), *si = str(i), *kall = krow.data(), *sall = srow.data();
-  const double *X = &sep[0][start], *Y = &sep[1][start], *Z = &sep[D - 1][start];
-  const double *close = &nearness[start];
-  const int ss = stress_stride, c_at = at_C(), r_at = at_rate(), z_at = at_impedance();
-  const double xi = ki[0], yi = ki[1], zi = ki[D - 1];
-  const double ui = ki[D], vi = ki[D + 1], wi = ki[2 * D - 1];
-  const double a1 = opt.a1, a2 = opt.a2, hg = 0.5 * opt.hourglass;
-  const double rho_i = si[Str::RHO], c_i = si[Str::C], impedance = HOURGLASS ? si[z_at] : 0.0;
-  double T[D * D], C[D * D], rate[D * D];
-  std::copy(si, si + D * D, T);
-  if (VISCOUS) std::copy(si + c_at, si + c_at + D * D, C);
-  if (LIMITED || HOURGLASS) std::copy(si + r_at, si + r_at + D * D, rate);
+  const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
+  const int c_at = at_C(), r_at = at_rate();
+  const Motion<D> own(kin(i));
+  const Several<D> T = load_tensor<D>(si), C = load_tensor<D>(VISCOUS ? si + c_at : si),
+                   rate = load_tensor<D>(LIMITED || HOURGLASS ? si + r_at : si);
   const bool keep = keeps_pairs(), correct = needs_correction();
-  double *kept = keep ? &pull[start] : nullptr;    // V0_j Pi_ij G_ij
-  double *damped = HOURGLASS ? &damp[start] : nullptr;
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
-  const double ok_i = (!correct || si[Str::NSUM] > 0.0) ? 1.0 : 0.0;
-  double mu_least = 0;
-  double fx = 0, fy = 0, fz = 0, qx = 0, qy = 0, qz = 0;
+  const Four zero = all(0.0), ok_i = all(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
+  Four stress = zero, viscous = zero, hourglass = zero, mu_least = zero;
 
-#pragma omp simd reduction(+ : fx, fy, fz, qx, qy, qz) reduction(min : mu_least)
-  for (int k = 0; k < n; k++) {
-    const double *kj = kall + static_cast<std::int64_t>(jlist[k]) * Kin::STRIDE;
-    const double *sj = sall + static_cast<std::int64_t>(jlist[k]) * ss;
-    const double Rx = X[k], Ry = Y[k], Rz = (D == 3) ? Z[k] : 0.0;
-    if (D == 2) {
-      fx += w[k] * ((T[0] + sj[0]) * Rx + (T[1] + sj[1]) * Ry);
-      fy += w[k] * ((T[D] + sj[D]) * Rx + (T[D + 1] + sj[D + 1]) * Ry);
-    } else {
-      fx += w[k] * ((T[0] + sj[0]) * Rx + (T[1] + sj[1]) * Ry + (T[2] + sj[2]) * Rz);
-      fy +=
-          w[k] * ((T[D] + sj[D]) * Rx + (T[D + 1] + sj[D + 1]) * Ry + (T[D + 2] + sj[D + 2]) * Rz);
-      fz += w[k] *
-          ((T[2 * D] + sj[2 * D]) * Rx + (T[2 * D + 1] + sj[2 * D + 1]) * Ry +
-           (T[D * D - 1] + sj[D * D - 1]) * Rz);
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+    Motion<D> d[LANES];
+    Four along[LANES], l_i[LANES], l_j[LANES], state[LANES];    // lanes yet to be summed
+    for (int m = 0; m < LANES; m++) {
+      const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
+      const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
+      const Several<D> X = load_spread<D>(&sep[(k + m) * D]), g = X * all(pairs.factor[k + m]);
+      stress += times(T + load_tensor<D>(sj), g);
+      if (!VISCOUS && !HOURGLASS) continue;
+      d[m] = own - Motion<D>(kj);
+      const Four x = d[m].expanded_x();
+      state[m] = load(sj + Str::K);
+      if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + c_at), g);
+      if (LIMITED || HOURGLASS) {
+        l_i[m] = x * times(rate, X);
+        l_j[m] = x * times(load_tensor<D>(sj + r_at), X);
+      }
     }
     if (!VISCOUS && !HOURGLASS) continue;
 
-    const double x = xi - kj[0], y = yi - kj[1], z = (D == 3) ? zi - kj[D - 1] : 0.0;
-    const double r2 = x * x + y * y + z * z;
-    double vr = (ui - kj[D]) * x + (vi - kj[D + 1]) * y;
-    if (D == 3) vr += (wi - kj[2 * D - 1]) * z;
-    double l_i = 0.0, l_j = 0.0;
+    Four r2, vr;
+    Motion<D>::dots(d, r2, vr);
+    transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum of the neighbors
+    Four li = zero, lj = zero;
     if (LIMITED || HOURGLASS) {
-      l_i = bilinear<D>(rate, x, y, z, Rx, Ry, Rz);
-      l_j = bilinear<D>(sj + r_at, x, y, z, Rx, Ry, Rz);
+      li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
+      lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
     }
     if (HOURGLASS) {
-      const double s = hg * (impedance + sj[z_at]) * w[k] * (vr - 0.5 * (l_i + l_j)) / r2;
-      damped[k] = s;
-      fx += s * x;
-      fy += s * y;
-      if (D == 3) fz += s * z;
+      const Four impedance = 0.5 * opt.hourglass * (si[Str::K] + state[0]);
+      const Four s = impedance * load(&pairs.factor[k]) * (vr - 0.5 * (li + lj)) / r2;
+      store(&damp[k], s);
+      for (int m = 0; m < LANES; m++) hourglass += all(s[m]) * d[m].x();
     }
-
     if (VISCOUS) {
-      if (LIMITED) vr = limited_jump(vr, l_i, l_j);
-      const double closing = vr < 0.0 ? vr : 0.0;
-      const double mu = closing * close[k] / std::sqrt(r2);
-      const double rho = 0.5 * (rho_i + sj[Str::RHO]);
-      const double Pi = rho * mu * (a2 * mu - a1 * 0.5 * (c_i + sj[Str::C]));
-      const double along = 0.5 * w[k] *
-          (bilinear<D>(C, x, y, z, Rx, Ry, Rz) + bilinear<D>(sj + c_at, x, y, z, Rx, Ry, Rz));
-      const double s = Pi * (along < 0.0 ? along : 0.0) / r2;    // V0_j Pi G
-      if (keep) kept[k] = s;
-      const double masked = correct ? (sj[Str::NSUM] > 0.0 ? ok_i * s : 0.0) : s;
-      qx -= masked * x;
-      qy -= masked * y;
-      if (D == 3) qz -= masked * z;
-      mu_least = mu < mu_least ? mu : mu_least;
+      if (LIMITED) vr = limited_jump(vr, li, lj);
+      const Four mu = minimum(vr, zero) * load(&nearness[k]) / square_root(r2);
+      const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
+      const Four Pi = rho * mu * (opt.a2 * mu - opt.a1 * c);
+      const Four G = 0.5 * sums(along[0], along[1], along[2], along[3]);
+      Four s = Pi * minimum(G, zero) / r2;    // V0_j Pi G
+      if (keep) store(&pull[k], s);
+      if (correct) s = where_positive(state[3], ok_i * s, zero);
+      for (int m = 0; m < LANES; m++) viscous -= all(s[m]) * d[m].x();
+      mu_least = minimum(mu_least, mu);
     }
   }
 
-  const double f[3] = {fx, fy, fz}, q[3] = {qx, qy, qz};
-  const double V0 = ki[Kin::VOLUME], per_mass = V0 / ki[Kin::MASS];
+  const double V0 = kin(i)[Kin::VOLUME], per_mass = V0 / kin(i)[Kin::MASS];
   for (int a = 0; a < D; a++) {
-    p.f[i][a] += V0 * f[a];
+    p.f[i][a] += V0 * (folded<D>(stress, a) + hourglass[a]);
     if (VISCOUS && correct)
-      da[i * D + a] = per_mass * q[a];
+      da[i * VECTOR + a] = per_mass * viscous[a];
     else if (VISCOUS)
-      p.f[i][a] += V0 * q[a];
+      p.f[i][a] += V0 * viscous[a];
   }
-  mu_max[i] = -mu_least;
+  mu_max[i] = -least(mu_least);
 }
 
 // over the nearest partners: constant until the partners have new indices
@@ -454,9 +414,9 @@ template <int D> void LagrangianSweeps<D>::near_weights(int i)
   for (int k = 0; k < pairs.nearest[i]; k++) {
     const int at = pairs.first[i] + k, j = pairs.j[at];
     double r2 = 0.0;
-    for (int a = 0; a < D; a++) r2 += sep[a][at] * sep[a][at];
-    near_weight[near_first[i] + k] = correction_weight(opt.weights, wbar_mass(i, j, std::sqrt(r2)),
-                                                       str(i)[Str::NSUM], str(j)[Str::NSUM]);
+    for (int a = 0; a < D; a++) r2 += sep[at * D + a] * sep[at * D + a];
+    near_weight[at] = correction_weight(opt.weights, wbar_mass(i, j, std::sqrt(r2)),
+                                        str(i)[Str::NSUM], str(j)[Str::NSUM]);
   }
 }
 
@@ -464,29 +424,32 @@ template <int D> void LagrangianSweeps<D>::near_weights(int i)
    heat
 ------------------------------------------------------------------------- */
 
-// V0_i T_i : sum_j V0_j (u_j - u_i) (x) g, exact adjoint of the force
+// stress: V0_i T_i : sum_j V0_j (u_j - u_i) (x) g, exact adjoint of the force
 
-template <int D> double LagrangianSweeps<D>::heat_stress(int i) const
+template <int D> typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
 {
-  const int start = pairs.first[i], n = pairs.count[i];
-  const int *jlist = &pairs.j[start];
-  const double *w = &pairs.factor[start], *si = str(i), *uall = u.data();
-  const double *X = &sep[0][start], *Y = &sep[1][start], *Z = &sep[D - 1][start];
-  const double ux = uall[i * D], uy = uall[i * D + 1], uz = uall[i * D + D - 1];
-  double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (int k = 0; k < n; k++) {
-    const double *uj = uall + static_cast<std::int64_t>(jlist[k]) * D;
-    const double power = bilinear<D>(si, uj[0] - ux, uj[1] - uy, uj[D - 1] - uz, X[k], Y[k], Z[k]);
-    sum += w[k] * power;
-  }
-  return kin(i)[Kin::VOLUME] * sum;
+  const bool pulls = keeps_pairs() && !(needs_correction() && opt.heating == Heating::COMPATIBLE);
+  if (opt.hourglass > 0.0) return pulls ? pair_power<true, true>(i) : pair_power<false, true>(i);
+  return pulls ? pair_power<true, false>(i) : pair_power<false, false>(i);
 }
 
-template <int D> double LagrangianSweeps<D>::heat_hourglass(int i) const
+template <int D>
+template <bool PULL, bool DAMP>
+typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
 {
-  if (!(opt.hourglass > 0.0)) return 0.0;
-  return -0.5 * kin(i)[Kin::VOLUME] * Base::central_power(i, &damp[pairs.first[i]]);
+  const double *kall = krow.data();
+  const Motion<D> own(kin(i));
+  Several<D> gradient = Several<D>::zero();
+  Four viscous = all(0.0), hourglass = all(0.0);
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    const Motion<D> d = Motion<D>(kall + static_cast<std::int64_t>(pairs.j[k]) * Kin::STRIDE) - own;
+    add_outer(gradient, d.expanded_v(), load_spread<D>(&sep[k * D]) * all(pairs.factor[k]));
+    if (PULL) viscous += all(pull[k]) * d.products();
+    if (DAMP) hourglass -= all(damp[k]) * d.products();
+  }
+  const double V0 = kin(i)[Kin::VOLUME];
+  return {V0 * contract(gradient, load_tensor<D>(str(i))), 0.5 * V0 * Motion<D>::v_dot_x(viscous),
+          0.5 * V0 * Motion<D>::v_dot_x(hourglass)};
 }
 
 /* ----------------------------------------------------------------------
@@ -505,12 +468,12 @@ void LagrangianSweeps<D>::virial(const Particles &, const NeighborRows &list, do
       for (int a = 0; a < D; a++) {
         double f = 0.0;
         for (int b = 0; b < D; b++)
-          f += V0 * pairs.factor[k] * (si[a * D + b] + str(j)[a * D + b]) * sep[b][k];
+          f += V0 * pairs.factor[k] * (si[Blocks<D>::at(a, b)] + str(j)[Blocks<D>::at(a, b)]) *
+              sep[k * D + b];
         if (opt.hourglass > 0.0) f += V0 * damp[k] * x[a];
         f -= whole_pull(i, k) * x[a];
         if (n < pairs.nearest[i])
-          f += 0.5 * kin(i)[Kin::MASS] * near_weight[near_first[i] + n] *
-              (da[i * D + a] - da[j * D + a]);
+          f += 0.5 * kin(i)[Kin::MASS] * near_weight[k] * (da[i * VECTOR + a] - da[j * VECTOR + a]);
         for (int b = 0; b <= a; b++) six[VOIGT[b][a]] += 0.5 * x[b] * f;
       }
     }
@@ -551,7 +514,7 @@ template <int D> Overload LagrangianSweeps<D>::find_overload(const NeighborRows 
     if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
     for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
       double X2 = 0.0;
-      for (int a = 0; a < D; a++) X2 += sep[a][k] * sep[a][k];
+      for (int a = 0; a < D; a++) X2 += sep[k * D + a] * sep[k * D + a];
       const double x2 = separation(i, pairs.j[k]).squaredNorm();
       if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2)
         return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
@@ -562,9 +525,8 @@ template <int D> Overload LagrangianSweeps<D>::find_overload(const NeighborRows 
 
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
-  std::size_t doubles =
-      nearness.capacity() + B.capacity() + F.capacity() + nsum.capacity() + damp.capacity();
-  for (int a = 0; a < D; a++) doubles += sep[a].capacity();
+  const std::size_t doubles = sep.capacity() + nearness.capacity() + B.capacity() + F.capacity() +
+      nsum.capacity() + damp.capacity();
   return Base::memory_usage() + static_cast<double>(doubles * sizeof(double));
 }
 

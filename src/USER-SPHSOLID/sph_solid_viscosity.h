@@ -17,6 +17,8 @@
 #ifndef LMP_SPH_SOLID_VISCOSITY_H
 #define LMP_SPH_SOLID_VISCOSITY_H
 
+#include "sph_solid_vector.h"
+
 namespace SPHSolid {
 
 enum class Viscosity { NONE, MONAGHAN, CORRECT, LIMITED };
@@ -26,19 +28,20 @@ enum class Heating { COMPATIBLE, PRINTED };
 // keeps mu finite when two particles meet, eq. 24
 static constexpr double MU_EPSILON = 0.01;
 
+// The following take numbers or vectors of them (sph_solid_vector.h) as Real.
+
 // mu_ij of eq. 24, zero for a separating pair; vr = v_ij . r_ij, r2 = r_ij^2
 
-inline double approach_rate(double vr, double r2, double h)
+template <class Real> inline Real approach_rate(Real vr, Real r2, Real h)
 {
-  const double closing = vr < 0.0 ? vr : 0.0;
-  return h * closing / (r2 + MU_EPSILON * h * h);
+  return h * minimum(vr, Real{}) / (r2 + h * h * MU_EPSILON);
 }
 
 // Pi_ij of eq. 23 [pressure/density^2]; mu <= 0, c and rho are pair means
 
-inline double monaghan_pi(double a1, double a2, double c, double rho, double mu)
+template <class Real> inline Real monaghan_pi(double a1, double a2, Real c, Real rho, Real mu)
 {
-  return mu * (a2 * mu - a1 * c) / rho;
+  return mu * (mu * a2 - c * a1) / rho;
 }
 
 // share of the linear part of a velocity jump that is taken off before it is
@@ -46,19 +49,20 @@ inline double monaghan_pi(double a1, double a2, double c, double rho, double mu)
 // gradients of the two particles predict, 4r/(1+r)^2 with r = l_i/l_j, zero for
 // opposite signs (Frontiere, Raskin & Owen 2017, eq. 48)
 
-inline double van_leer(double l_i, double l_j)
+template <class Real> inline Real van_leer(Real l_i, Real l_j)
 {
-  const double product = l_i * l_j, sum = l_i + l_j;
-  return product > 0.0 ? 4.0 * product / (sum * sum) : 0.0;
+  const Real product = l_i * l_j, sum = l_i + l_j;
+  return where_positive(product, 4.0 * product / (sum * sum), Real{});
 }
 
 // the jump vr = v_ij . x_ij less its linear part.  Sign clip: never beyond zero
 // and never larger than vr, so that every pair dissipates
 
-inline double limited_jump(double vr, double l_i, double l_j)
+template <class Real> inline Real limited_jump(Real vr, Real l_i, Real l_j)
 {
-  const double rest = vr - 0.5 * van_leer(l_i, l_j) * (l_i + l_j);
-  return rest * vr > 0.0 ? (rest * rest < vr * vr ? rest : vr) : 0.0;
+  const Real rest = vr - 0.5 * van_leer(l_i, l_j) * (l_i + l_j);
+  const Real clipped = where_positive(vr * vr - rest * rest, rest, vr);
+  return where_positive(rest * vr, clipped, Real{});
 }
 
 // n_i = sum_j m_j Wbar_ij over the nearest neighbours, self left out: with it

@@ -1,0 +1,170 @@
+/* ----------------------------------------------------------------------
+   What a pair needs, in vectors of four doubles: differences of motion,
+   tensors of a row, and products of the two, alike in two and three dimensions.
+
+   In two dimensions one block holds a whole tensor, T = {xx, xy, yx, yy}, and a
+   vector a takes part in products either "spread", {ax, ay, ax, ay}, or
+   "expanded", {ax, ax, ay, ay}.  In three dimensions a tensor is three blocks,
+   its columns; spread is every component in a block of its own, and expanded
+   is the vector itself.  Then in both
+
+     T.g    = fold(times(T, spread(g)))
+     a.T.g  = sum of the lanes of expand(a) * times(T, spread(g))
+     a (x) g: block b = expand(a) * spread(g) block b
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_LANES_H
+#define LMP_SPH_SOLID_LANES_H
+
+#include "sph_solid_rows.h"
+
+namespace SPHSolid {
+
+// one block in two dimensions, three in three
+
+template <int D> struct Several {
+  static constexpr int N = (D == 2) ? 1 : 3;
+  Four block[N];
+
+  static Several zero()
+  {
+    Several s;
+    for (int b = 0; b < N; b++) s.block[b] = all(0.0);
+    return s;
+  }
+};
+
+template <int D> inline Several<D> operator+(const Several<D> &a, const Several<D> &b)
+{
+  Several<D> s;
+  for (int n = 0; n < Several<D>::N; n++) s.block[n] = a.block[n] + b.block[n];
+  return s;
+}
+
+template <int D> inline Several<D> operator*(const Several<D> &a, Four factor)
+{
+  Several<D> s;
+  for (int n = 0; n < Several<D>::N; n++) s.block[n] = a.block[n] * factor;
+  return s;
+}
+
+template <int D> inline Several<D> load_tensor(const double *row)
+{
+  Several<D> t;
+  for (int n = 0; n < Several<D>::N; n++) t.block[n] = load(row + n * LANES);
+  return t;
+}
+
+template <int D> inline void store_tensor(double *row, const Several<D> &t)
+{
+  for (int n = 0; n < Several<D>::N; n++) store(row + n * LANES, t.block[n]);
+}
+
+// a vector in memory, D doubles
+
+template <int D> inline Several<D> load_spread(const double *a)
+{
+  if constexpr (D == 2)
+    return {load_two_twice(a)};
+  else
+    return {all(a[0]), all(a[1]), all(a[2])};
+}
+
+template <int D> inline Four times(const Several<D> &T, const Several<D> &g)
+{
+  Four s = T.block[0] * g.block[0];
+  for (int n = 1; n < Several<D>::N; n++) s += T.block[n] * g.block[n];
+  return s;
+}
+
+// result += a (x) g, a expanded
+
+template <int D> inline void add_outer(Several<D> &result, Four a, const Several<D> &g)
+{
+  for (int n = 0; n < Several<D>::N; n++) result.block[n] += a * g.block[n];
+}
+
+// all components times their counterparts
+
+template <int D> inline double contract(const Several<D> &a, const Several<D> &b)
+{
+  return sum(times(a, b));
+}
+
+// component a of T.g from times(T, g), summed over pairs
+
+template <int D> inline double folded(Four t, int a)
+{
+  return D == 2 ? t[2 * a] + t[2 * a + 1] : t[a];
+}
+
+// position and velocity of a row, or differences of these
+
+template <int D> struct Motion;
+
+template <> struct Motion<2> {
+  Four xv;    // x, y, vx, vy
+
+  explicit Motion(const double *row = nullptr) : xv(row ? load(row) : all(0.0)) {}
+  Motion operator-(const Motion &other) const
+  {
+    Motion d;
+    d.xv = xv - other.xv;
+    return d;
+  }
+  // added to the position: D doubles
+  void move_by(const double *X) { xv += load_two(X); }
+
+  Four x() const { return xv; }    // the first two lanes
+  Four expanded_x() const { return shuffle<0, 0, 1, 1>(xv); }
+  Four expanded_v() const { return shuffle<2, 2, 3, 3>(xv); }
+  Several<2> spread_x() const { return {shuffle<0, 1, 0, 1>(xv)}; }
+
+  // products with x, summed: over lanes 0 and 1 x.x, over the others v.x
+  Four products() const { return xv * shuffle<0, 1, 0, 1>(xv); }
+  static double v_dot_x(Four products) { return products[2] + products[3]; }
+  static void dots(const Motion *d, Four &xx, Four &vx)
+  {
+    half_sums(d[0].products(), d[1].products(), d[2].products(), d[3].products(), xx, vx);
+  }
+};
+
+template <> struct Motion<3> {
+  Four position, velocity;
+
+  explicit Motion(const double *row = nullptr) :
+      position(row ? load(row) : all(0.0)), velocity(row ? load(row + LANES) : all(0.0))
+  {
+  }
+  Motion operator-(const Motion &other) const
+  {
+    Motion d;
+    d.position = position - other.position;
+    d.velocity = velocity - other.velocity;
+    return d;
+  }
+  void move_by(const double *X) { position += Four{X[0], X[1], X[2], 0.0}; }
+
+  Four x() const { return position; }
+  Four expanded_x() const { return position; }
+  Four expanded_v() const { return velocity; }
+  Several<3> spread_x() const
+  {
+    return {shuffle<0, 0, 0, 0>(position), shuffle<1, 1, 1, 1>(position),
+            shuffle<2, 2, 2, 2>(position)};
+  }
+
+  // of v.x only
+  Four products() const { return velocity * position; }
+  static double v_dot_x(Four products) { return sum(products); }
+  static void dots(const Motion *d, Four &xx, Four &vx)
+  {
+    xx = sums(d[0].position * d[0].position, d[1].position * d[1].position,
+              d[2].position * d[2].position, d[3].position * d[3].position);
+    vx = sums(d[0].products(), d[1].products(), d[2].products(), d[3].products());
+  }
+};
+
+}    // namespace SPHSolid
+
+#endif
