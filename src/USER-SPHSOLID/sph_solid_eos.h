@@ -13,45 +13,53 @@
 #define LMP_SPH_SOLID_EOS_H
 
 #include "sph_solid_material.h"
+#include "sph_solid_vector.h"
 
 namespace SPHSolid {
 
-struct PressureState {
-  double P;     // pressure, compression positive [pressure]
-  double c2;    // square of the bulk sound speed dP/drho at constant entropy [velocity^2]
+template <class Real = double> struct PressureState {
+  Real P;     // pressure, compression positive [pressure]
+  Real c2;    // square of the bulk sound speed dP/drho at constant entropy [velocity^2]
 };
+
+// coefficients of eqs 11-13; the linear form P = K eta, without thermal pressure,
+// is the one with a0 = K and nothing else
+
+template <class Real = double> struct Compression {
+  Real a0, b0, c0;    // of the powers of eta [pressure]
+  Real Gamma;
+};
+
+inline Compression<> compression(const Material &m)
+{
+  if (m.eos == EOS::LINEAR) return {m.K, 0.0, 0.0, 0.0};
+  const double s = m.S - 1.0, a0 = m.rho0 * m.C * m.C;
+  return {a0, a0 * (1.0 + 2.0 * s), a0 * (2.0 * s + 3.0 * s * s), m.Gamma};
+}
 
 // e in energy/mass, zero at (rho_ref, P = 0)
 
-inline PressureState mie_gruneisen(const Material &m, double rho, double rho_ref, double e)
+template <class Real>
+inline PressureState<Real> pressure(const Compression<Real> &k, Real rho, Real rho_ref, Real e)
 {
-  const double eta = rho / rho_ref - 1.0;
-  const double s = m.S - 1.0;
-  const double a0 = m.rho0 * m.C * m.C;                                // eq. 11
-  const double b0 = eta > 0.0 ? a0 * (1.0 + 2.0 * s) : 0.0;            // eq. 12
-  const double c0 = eta > 0.0 ? a0 * (2.0 * s + 3.0 * s * s) : 0.0;    // eq. 13
+  const Real eta = rho / rho_ref - 1.0;
+  const Real b0 = where_positive(eta, k.b0, Real(0.0));
+  const Real c0 = where_positive(eta, k.c0, Real(0.0));
 
-  const double P_H = eta * (a0 + eta * (b0 + eta * c0));    // eq. 9
-  const double dP_H = a0 + eta * (2.0 * b0 + eta * 3.0 * c0);
-  const double thermal = 1.0 - 0.5 * m.Gamma * eta;
+  const Real P_H = eta * (k.a0 + eta * (b0 + eta * c0));    // eq. 9
+  const Real dP_H = k.a0 + eta * (2.0 * b0 + eta * 3.0 * c0);
+  const Real thermal = 1.0 - 0.5 * k.Gamma * eta;
 
-  PressureState out;
-  out.P = thermal * P_H + m.Gamma * rho * e;    // eq. 8
+  PressureState<Real> out;
+  out.P = thermal * P_H + k.Gamma * rho * e;    // eq. 8
   // c^2 = dP/drho|_e + (P/rho^2) dP/de|_rho
-  out.c2 = (thermal * dP_H - 0.5 * m.Gamma * P_H) / rho_ref + m.Gamma * e + m.Gamma * out.P / rho;
+  out.c2 = (thermal * dP_H - 0.5 * k.Gamma * P_H) / rho_ref + k.Gamma * e + k.Gamma * out.P / rho;
   return out;
 }
 
-// P = K eta, without thermal pressure
-
-inline PressureState linear_eos(const Material &m, double rho, double rho_ref)
+inline PressureState<> pressure(const Material &m, double rho, double rho_ref, double e)
 {
-  return {m.K * (rho / rho_ref - 1.0), m.K / rho_ref};
-}
-
-inline PressureState pressure(const Material &m, double rho, double rho_ref, double e)
-{
-  return m.eos == EOS::LINEAR ? linear_eos(m, rho, rho_ref) : mie_gruneisen(m, rho, rho_ref, e);
+  return pressure(compression(m), rho, rho_ref, e);
 }
 
 }    // namespace SPHSolid

@@ -17,6 +17,7 @@
 #define LMP_SPH_SOLID_LANES_H
 
 #include "sph_solid_rows.h"
+#include "sph_solid_tensor.h"
 
 namespace SPHSolid {
 
@@ -29,7 +30,7 @@ template <int D> struct Several {
   static Several zero()
   {
     Several s;
-    for (int b = 0; b < N; b++) s.block[b] = all(0.0);
+    for (int b = 0; b < N; b++) s.block[b] = Four(0.0);
     return s;
   }
 };
@@ -67,7 +68,7 @@ template <int D> inline Several<D> load_spread(const double *a)
   if constexpr (D == 2)
     return {load_two_twice(a)};
   else
-    return {all(a[0]), all(a[1]), all(a[2])};
+    return {Four(a[0]), Four(a[1]), Four(a[2])};
 }
 
 template <int D> inline Four times(const Several<D> &T, const Several<D> &g)
@@ -98,6 +99,35 @@ template <int D> inline double folded(Four t, int a)
   return D == 2 ? t[2 * a] + t[2 * a + 1] : t[a];
 }
 
+// tensors of four particles, one per lane
+
+template <int D> inline Tensor<D, Four> lanes_of(const Several<D> *t)
+{
+  Tensor<D, Four> out;
+  for (int n = 0; n < Several<D>::N; n++) {
+    Four a = t[0].block[n], b = t[1].block[n], c = t[2].block[n], d = t[3].block[n];
+    transpose(a, b, c, d);
+    if constexpr (D == 2)
+      out << a, b, c, d;
+    else
+      out.col(n) << a, b, c;
+  }
+  return out;
+}
+
+template <int D> inline void from_lanes(const Tensor<D, Four> &t, Several<D> *out)
+{
+  for (int n = 0; n < Several<D>::N; n++) {
+    Four a = D == 2 ? t(0, 0) : t(0, n), b = D == 2 ? t(0, 1) : t(1, n),
+         c = D == 2 ? t(1, 0) : t(D - 1, n), d = D == 2 ? t(1, 1) : Four(0.0);
+    transpose(a, b, c, d);
+    out[0].block[n] = a;
+    out[1].block[n] = b;
+    out[2].block[n] = c;
+    out[3].block[n] = d;
+  }
+}
+
 // position and velocity of a row, or differences of these
 
 template <int D> struct Motion;
@@ -105,7 +135,7 @@ template <int D> struct Motion;
 template <> struct Motion<2> {
   Four xv;    // x, y, vx, vy
 
-  explicit Motion(const double *row = nullptr) : xv(row ? load(row) : all(0.0)) {}
+  explicit Motion(const double *row = nullptr) : xv(row ? load(row) : Four(0.0)) {}
   Motion operator-(const Motion &other) const
   {
     Motion d;
@@ -133,7 +163,7 @@ template <> struct Motion<3> {
   Four position, velocity;
 
   explicit Motion(const double *row = nullptr) :
-      position(row ? load(row) : all(0.0)), velocity(row ? load(row + LANES) : all(0.0))
+      position(row ? load(row) : Four(0.0)), velocity(row ? load(row + LANES) : Four(0.0))
   {
   }
   Motion operator-(const Motion &other) const
@@ -143,7 +173,7 @@ template <> struct Motion<3> {
     d.velocity = velocity - other.velocity;
     return d;
   }
-  void move_by(const double *X) { position += Four{X[0], X[1], X[2], 0.0}; }
+  void move_by(const double *X) { position += Four(X[0], X[1], X[2], 0.0); }
 
   Four x() const { return position; }
   Four expanded_x() const { return position; }
@@ -164,6 +194,29 @@ template <> struct Motion<3> {
     vx = sums(d[0].products(), d[1].products(), d[2].products(), d[3].products());
   }
 };
+
+// vectors of rows, D doubles and in three dimensions a 0: two rows in one block, or one
+
+template <int D> struct Few {
+  static constexpr int N = (D == 2) ? 2 : 1;
+};
+
+template <int D> inline Four load_few(const double *first, const double *second)
+{
+  return D == 2 ? Four(first[0], first[1], second[0], second[1]) : load(first);
+}
+
+template <int D> inline Four weights_of_few(double first, double second)
+{
+  return D == 2 ? Four(first, first, second, second) : Four(first);
+}
+
+// component a of the sum over the rows of a block
+
+template <int D> inline double few_summed(Four t, int a)
+{
+  return D == 2 ? t[a] + t[2 + a] : t[a];
+}
 
 }    // namespace SPHSolid
 

@@ -26,89 +26,123 @@ namespace SPHSolid {
 
 // what one material point remembers
 
-template <int D> struct PointState {
-  double rho = 0.0;                   // density [mass/length^3]
-  double epl = 0.0;                   // effective plastic strain [-]
-  Tensor<D> S = Tensor<D>::Zero();    // in-space part of the deviatoric stress [pressure]
-  double Szz = 0.0;                   // out-of-plane part, 2d only [pressure]
+template <int D, class Real = double> struct PointState {
+  Real rho = 0.0;    // density [mass/length^3]
+  Real epl = 0.0;    // effective plastic strain [-]
+  // in-space part of the deviatoric stress [pressure]
+  Tensor<D, Real> S = Tensor<D, Real>::Zero();
+  Real Szz = 0.0;    // out-of-plane part, 2d only [pressure]
 };
+
+// the constants of a material that are used here
+
+template <class Real = double> struct Resistance {
+  Real shear;    // shear modulus mu [pressure]
+  Real Y, H;     // yield stress Y + H epl [pressure]; elastic: Y larger than any stress
+};
+
+inline Resistance<> resistance(const Material &m)
+{
+  if (m.strength == Strength::ELASTIC) return {m.shear, 1.0e300, 0.0};
+  return {m.shear, m.Y, m.strength == Strength::LINEAR ? m.H : 0.0};
+}
 
 // dv/dx at the middle of the step from dv/dx with respect to the end-of-step
 // positions: F'(F - dt/2 F')^-1 with L_end = F' F^-1.  dt [time], L [1/time]
 
-template <int D> inline Tensor<D> midpoint_velocity_gradient(const Tensor<D> &L_end, double dt)
+template <int D, class Real = double>
+inline Tensor<D, Real> midpoint_velocity_gradient(const Tensor<D, Real> &L_end, Real dt)
 {
-  const Tensor<D> A = Tensor<D>::Identity() - 0.5 * dt * L_end;
+  const Tensor<D, Real> A = Tensor<D, Real>::Identity() - Real(0.5) * dt * L_end;
   return L_end * A.inverse();
 }
 
 // Q = (1 - W dt/2)^-1 (1 + W dt/2), W = skew(L): Hughes & Winget (1980), eq. 12
 
-template <int D> inline Tensor<D> spin_rotation(const Tensor<D> &L, double dt)
+template <int D, class Real = double>
+inline Tensor<D, Real> spin_rotation(const Tensor<D, Real> &L, Real dt)
 {
-  const Tensor<D> half = 0.25 * dt * (L - L.transpose());
-  const Tensor<D> one = Tensor<D>::Identity();
-  return (one - half).inverse() * (one + half);
+  const Tensor<D, Real> half = Real(0.25) * dt * (L - L.transpose());
+  const Tensor<D, Real> one = Tensor<D, Real>::Identity();
+  return Tensor<D, Real>(one - half).inverse() * (one + half);
 }
 
 // J2 = S:S/2, with the out-of-plane part in plane strain
 
-template <int D> inline double second_invariant(const Tensor<D> &S, double Szz)
+template <int D, class Real = double>
+inline Real second_invariant(const Tensor<D, Real> &S, Real Szz)
 {
-  const double in_space = S.squaredNorm();
+  const Real in_space = S.cwiseProduct(S).sum();
   return 0.5 * (D == 2 ? in_space + Szz * Szz : in_space);
 }
 
 // sigma_e = sqrt(3 J2), eq. 17
 
-template <int D> inline double von_mises(const Tensor<D> &S, double Szz)
+template <int D, class Real = double> inline Real von_mises(const Tensor<D, Real> &S, Real Szz)
 {
-  return std::sqrt(3.0 * second_invariant<D>(S, Szz));
-}
-
-inline double yield_stress(const Material &m, double epl)
-{
-  return m.strength == Strength::LINEAR ? m.Y + m.H * epl : m.Y;
+  return square_root(3.0 * second_invariant<D, Real>(S, Szz));
 }
 
 // radial return to the von Mises surface; returns plastic work per volume
 
-template <int D> inline double radial_return(const Material &m, PointState<D> &p)
+template <int D, class Real>
+inline Real radial_return(const Resistance<Real> &m, PointState<D, Real> &p)
 {
-  if (m.strength == Strength::ELASTIC) return 0.0;
-  const double sigma_e = von_mises<D>(p.S, p.Szz);
-  const double Y_old = yield_stress(m, p.epl);
-  if (sigma_e <= Y_old) return 0.0;
+  const Real sigma_e = von_mises<D, Real>(p.S, p.Szz);
+  const Real over = sigma_e - (m.Y + m.H * p.epl);
 
   // consistency: sigma_e - 3 mu depl = Y(epl + depl)
-  const double hardening = m.strength == Strength::LINEAR ? m.H : 0.0;
-  const double depl = (sigma_e - Y_old) / (3.0 * m.shear + hardening);
+  const Real depl = where_positive(over, over / (3.0 * m.shear + m.H), Real(0.0));
   p.epl += depl;
-  const double Y_new = yield_stress(m, p.epl);
-  const double f = Y_new / sigma_e;
+  const Real Y_new = m.Y + m.H * p.epl;
+  const Real f = where_positive(over, Y_new / sigma_e, Real(1.0));
   p.S *= f;
   p.Szz *= f;
-  return Y_new * depl;
+  return where_positive(over, Y_new * depl, Real(0.0));
 }
 
 // advance density, stress and plastic strain by dt with the velocity gradient
 // L at the middle of the step; returns plastic work per volume [pressure]
 
-template <int D>
-inline double advance(const Material &m, PointState<D> &p, const Tensor<D> &L, double dt)
+template <int D, class Real>
+inline Real advance(const Resistance<Real> &m, PointState<D, Real> &p, const Tensor<D, Real> &L,
+                    Real dt)
 {
-  const double volumetric = L.trace();
-  const Tensor<D> strain = 0.5 * (L + L.transpose());
-  const Tensor<D> Q = spin_rotation<D>(L, dt);
+  const Real volumetric = L.trace();
+  const Tensor<D, Real> strain = Real(0.5) * (L + L.transpose());
+  const Tensor<D, Real> Q = spin_rotation<D, Real>(L, dt);
 
   // continuity, eq. 3, by the midpoint rule: exact volume ratio in uniaxial strain
   p.rho *= (1.0 - 0.5 * dt * volumetric) / (1.0 + 0.5 * dt * volumetric);
 
-  Tensor<D> half = m.shear * dt * strain;    // of the increment
+  Tensor<D, Real> half = m.shear * dt * strain;    // of the increment
   half.diagonal().array() -= m.shear * dt * volumetric / 3.0;
-  p.S = Q * (p.S + half) * Q.transpose() + half;
+  p.S = Q * Tensor<D, Real>(p.S + half) * Q.transpose() + half;
   p.Szz -= 2.0 * m.shear * dt * volumetric / 3.0;
-  return radial_return<D>(m, p);
+  return radial_return<D, Real>(m, p);
+}
+
+// the same for one particle
+
+template <int D> inline Tensor<D> midpoint_velocity_gradient(const Tensor<D> &L_end, double dt)
+{
+  return midpoint_velocity_gradient<D, double>(L_end, dt);
+}
+
+template <int D> inline double von_mises(const Tensor<D> &S, double Szz)
+{
+  return von_mises<D, double>(S, Szz);
+}
+
+template <int D> inline double radial_return(const Material &m, PointState<D> &p)
+{
+  return radial_return<D, double>(resistance(m), p);
+}
+
+template <int D>
+inline double advance(const Material &m, PointState<D> &p, const Tensor<D> &L, double dt)
+{
+  return advance<D, double>(resistance(m), p, L, dt);
 }
 
 }    // namespace SPHSolid

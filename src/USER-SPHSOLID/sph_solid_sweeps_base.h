@@ -35,6 +35,10 @@ template <int D> class SweepsBase : public Sweeps {
   SweepsBase(const Options &o, const std::vector<TypeData> &t, int ntensors_) :
       opt(o), types(t), ntensors(ntensors_), stress_stride(extra(ntensors_))
   {
+    for (const TypeData &type : types) {
+      resistances.push_back(resistance(type.material));
+      compressions.push_back(compression(type.material));
+    }
   }
 
   void pack_kinematics(const Particles &, const double *const *) override;
@@ -59,6 +63,8 @@ template <int D> class SweepsBase : public Sweeps {
 
   Options opt;
   std::vector<TypeData> types;
+  std::vector<Resistance<>> resistances;    // of the types
+  std::vector<Compression<>> compressions;
   int ntensors, stress_stride;
   int nown = 0, nparticles = 0, nrows = 0;    // own; own and ghost; with images
 
@@ -92,18 +98,27 @@ template <int D> class SweepsBase : public Sweeps {
   double wbar_mass(int i, int j, double r) const;
   double retained_viscosity() const;
 
-  struct Point {
-    PointState<D> state;
-    PressureState eos;
-    Tensor<D> sigma;    // Cauchy stress, tension positive
+  // four own particles at a time; at the end of a list the last one fills up
+  struct Batch {
+    int i[LANES], n;
+    Batch(const NeighborRows &list, int first) : n(std::min(LANES, list.inum - first))
+    {
+      for (int m = 0; m < LANES; m++) i[m] = list.ilist[first + std::min(m, n - 1)];
+    }
   };
-  Point update_point(const Particles &, int i, const Tensor<D> &L_mid, double dt);
-  void write_row(int i, const Point &, const Tensor<D> &T, double K, double nsum);
-  static void put_tensor(double *row, const Tensor<D> &t)
+  template <class F> static Four lanes(F value)
   {
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) row[Blocks<D>::at(a, b)] = t(a, b);
+    return Four(value(0), value(1), value(2), value(3));
   }
+  struct Points {
+    PointState<D, Four> state;
+    PressureState<Four> eos;
+    Tensor<D, Four> sigma;    // Cauchy stress, tension positive
+  };
+  Points update_points(const Particles &, const Batch &, const Tensor<D, Four> &L_mid, double dt);
+  void write_rows(const Batch &, const Points &, const Tensor<D, Four> &T, Four K, Four nsum);
+  void write_tensors(const Batch &, int at, const Tensor<D, Four> &);
+  static int unphysical(const Batch &, Four rho, Four others);
 
   // is the viscous force of every pair kept for heat?
   bool keeps_pairs() const
@@ -113,6 +128,19 @@ template <int D> class SweepsBase : public Sweeps {
   }
   double whole_pull(int i, int pair) const;
   void lonely_pairs(const Particles &, int i);
+  // call(weights, neighbors, da_i - da_j) for the nearest neighbors of i, block by block
+  template <class F> void each_few(int i, F call) const
+  {
+    const double *di = &da[i * VECTOR];
+    const Four own = load_few<D>(di, di);
+    for (int k = 0; k < pairs.nearest[i]; k += Few<D>::N) {
+      const int at = pairs.first[i] + k;
+      const bool both = k + 1 < pairs.nearest[i];
+      const int j[2] = {pairs.j[at], pairs.j[both ? at + 1 : at]};
+      const Four w = weights_of_few<D>(near_weight[at], both ? near_weight[at + 1] : 0.0);
+      call(w, j, own - load_few<D>(&da[j[0] * VECTOR], &da[j[1] * VECTOR]));
+    }
+  }
   double lonely_power(int i) const;
   const double *u(int i) const { return kin(i) + Kin::V; }    // during heat: displacements
 
@@ -221,47 +249,112 @@ template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const d
 }
 
 /* ----------------------------------------------------------------------
-   constitutive update of one particle over dt with the velocity gradient in
+   constitutive update of four particles over dt with the velocity gradient in
    the middle of the step; dt = 0: the state as it is
 ------------------------------------------------------------------------- */
 
 template <int D>
-typename SweepsBase<D>::Point SweepsBase<D>::update_point(const Particles &p, int i,
-                                                          const Tensor<D> &L_mid, double dt)
+typename SweepsBase<D>::Points SweepsBase<D>::update_points(const Particles &p, const Batch &four,
+                                                            const Tensor<D, Four> &L_mid, double dt)
 {
-  const Material &m = types[p.type[i]].material;
-  Point point;
-  PointState<D> &state = point.state;
-  state.rho = p.rho[i];
-  state.epl = p.epl[i];
-  state.S = symmetric_from_six<D>(p.stress[i]);
-  state.Szz = p.stress[i][2];
+  const int *i = four.i, *type = p.type;
+  Points points;
+  PointState<D, Four> &state = points.state;
+  state.rho = lanes([&](int m) {
+    return p.rho[i[m]];
+  });
+  state.epl = lanes([&](int m) {
+    return p.epl[i[m]];
+  });
+  state.Szz = lanes([&](int m) {
+    return p.stress[i[m]][2];
+  });
+  for (int a = 0; a < D; a++)
+    for (int b = a; b < D; b++)
+      state.S(a, b) = state.S(b, a) = lanes([&](int m) {
+        return p.stress[i[m]][VOIGT[a][b]];
+      });
+  const Four mass = lanes([&](int m) {
+    return p.mass[i[m]];
+  });
 
-  work[i] = 0.0;
   if (dt > 0.0) {
-    work[i] = advance<D>(m, state, L_mid, dt) * p.mass[i] / state.rho;
-    p.rho[i] = state.rho;
-    p.epl[i] = state.epl;
-    six_from_symmetric<D>(state.S, p.stress[i]);
-    state.S = symmetric_from_six<D>(p.stress[i]);    // as a restart file has it
-    if (D == 2) p.stress[i][2] = state.Szz;
-  }
+    const Resistance<Four> r = {lanes([&](int m) {
+                                  return resistances[type[i[m]]].shear;
+                                }),
+                                lanes([&](int m) {
+                                  return resistances[type[i[m]]].Y;
+                                }),
+                                lanes([&](int m) {
+                                  return resistances[type[i[m]]].H;
+                                })};
+    Four plastic = advance<D, Four>(r, state, L_mid, dt);
+    plastic *= mass / state.rho;
+    for (int m = 0; m < four.n; m++) {
+      work[i[m]] = plastic[m];
+      p.rho[i[m]] = state.rho[m];
+      p.epl[i[m]] = state.epl[m];
+      double *stress = p.stress[i[m]];
+      for (int a = 0; a < D; a++)
+        for (int b = a; b < D; b++) stress[VOIGT[a][b]] = state.S(a, b)[m];
+      if (D == 2) stress[2] = state.Szz[m];
+    }
+    for (int a = 0; a < D; a++)    // as a restart file has it
+      for (int b = 0; b < a; b++) state.S(a, b) = state.S(b, a);
+  } else
+    for (int m = 0; m < four.n; m++) work[i[m]] = 0.0;
 
-  const double rho_ref = reference_density(p.mass[i], p.volume[i]);
-  point.eos = pressure(m, state.rho, rho_ref, p.e[i]);
-  point.sigma = state.S - point.eos.P * Tensor<D>::Identity();
-  return point;
+  const Compression<Four> k = {lanes([&](int m) {
+                                 return compressions[type[i[m]]].a0;
+                               }),
+                               lanes([&](int m) {
+                                 return compressions[type[i[m]]].b0;
+                               }),
+                               lanes([&](int m) {
+                                 return compressions[type[i[m]]].c0;
+                               }),
+                               lanes([&](int m) {
+                                 return compressions[type[i[m]]].Gamma;
+                               })};
+  const Four rho_ref = mass / lanes([&](int m) {
+                         return p.volume[i[m]];
+                       });
+  points.eos = pressure(k, state.rho, rho_ref, lanes([&](int m) {
+                          return p.e[i[m]];
+                        }));
+  points.sigma = state.S - points.eos.P * Tensor<D, Four>::Identity();
+  return points;
 }
 
 template <int D>
-void SweepsBase<D>::write_row(int i, const Point &point, const Tensor<D> &T, double K, double nsum)
+void SweepsBase<D>::write_rows(const Batch &four, const Points &points, const Tensor<D, Four> &T,
+                               Four K, Four nsum)
 {
-  double *row = str(i);
-  put_tensor(row + Str::T, T);
-  row[Str::K] = K;
-  row[Str::RHO] = point.state.rho;
-  row[Str::C] = std::sqrt(std::max(point.eos.c2, 0.0));
-  row[Str::NSUM] = nsum;
+  write_tensors(four, Str::T, T);
+  Four rho = points.state.rho, c = square_root(maximum(points.eos.c2, Four(0.0)));
+  transpose(K, rho, c, nsum);
+  const Four state[LANES] = {K, rho, c, nsum};
+  for (int m = 0; m < four.n; m++) store(str(four.i[m]) + Str::K, state[m]);
+}
+
+// one tensor of the rows
+
+template <int D>
+void SweepsBase<D>::write_tensors(const Batch &four, int at, const Tensor<D, Four> &t)
+{
+  Several<D> rows[LANES];
+  from_lanes<D>(t, rows);
+  for (int m = 0; m < four.n; m++) store_tensor(str(four.i[m]) + at, rows[m]);
+}
+
+// a particle whose density is not positive, or another number of whom is not
+// finite; or -1
+
+template <int D> int SweepsBase<D>::unphysical(const Batch &four, Four rho, Four others)
+{
+  for (int m = 0; m < four.n; m++)
+    if (!(rho[m] > 0.0) || !std::isfinite(rho[m] + others[m])) return four.i[m];
+  return -1;
 }
 
 /* ----------------------------------------------------------------------
@@ -329,14 +422,11 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
     if (!weights_known) near_weights(i);
-    const int *j = &pairs.j[pairs.first[i]];
-    const double *w = &near_weight[pairs.first[i]], *di = &da[i * VECTOR];
-    double sum[D] = {};
-    for (int k = 0; k < pairs.nearest[i]; k++) {
-      const double *dj = &da[j[k] * VECTOR];
-      for (int a = 0; a < D; a++) sum[a] += w[k] * (di[a] - dj[a]);
-    }
-    for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * sum[a];
+    Four sum = 0.0;
+    each_few(i, [&](Four w, const int *, Four difference) {
+      sum += w * difference;
+    });
+    for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * few_summed<D>(sum, a);
   }
   weights_known = constant_weights();
 }
@@ -421,23 +511,18 @@ template <int D> double SweepsBase<D>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
   const bool shepard = opt.weights == Weights::SHEPARD;
-  const double *di = &da[i * VECTOR], *ui = u(i);
-  double sum = 0.0;
-  for (int k = 0; k < pairs.nearest[i]; k++) {
-    const int j = pairs.j[pairs.first[i] + k];
-    const double *dj = &da[j * VECTOR], *uj = u(j);
-    double power = 0.0;
-    for (int a = 0; a < D; a++) {
-      if (printed)
-        power += 0.5 * (ui[a] - uj[a]) * dj[a];
-      else if (shepard)
-        power -= 0.5 * ui[a] * (di[a] - dj[a]);
-      else
-        power -= 0.25 * (ui[a] - uj[a]) * (di[a] - dj[a]);
-    }
-    sum += near_weight[pairs.first[i] + k] * power;
-  }
-  return kin(i)[Kin::MASS] * sum;
+  const Four ui = load_few<D>(u(i), u(i));
+  Four power = 0.0;
+  each_few(i, [&](Four w, const int *j, Four difference) {
+    const Four uj = load_few<D>(u(j[0]), u(j[1]));
+    if (printed)
+      power += w * 0.5 * (ui - uj) * load_few<D>(&da[j[0] * VECTOR], &da[j[1] * VECTOR]);
+    else if (shepard)
+      power -= w * 0.5 * ui * difference;
+    else
+      power -= w * 0.25 * (ui - uj) * difference;
+  });
+  return kin(i)[Kin::MASS] * SPHSolid::sum(power);
 }
 
 /* ----------------------------------------------------------------------

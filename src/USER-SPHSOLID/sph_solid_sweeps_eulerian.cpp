@@ -51,14 +51,17 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
     return crowding<D>(r, 0.5 * (kin(i)[Kin::H] + kin(j)[Kin::H]), spacing, opt.tensile_n);
   }
 
+  // of four particles
   struct Sums {
-    Tensor<D> moment, velocity;    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
-    double nsum;                   // sum m_j Wbar
+    Tensor<D, Four> moment, velocity;    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
+    Four nsum = 0.0;                     // sum m_j Wbar
   };
   struct Scratch;
   int gather(int i, int n, const int *list, int offset, Scratch &);
-  Sums accumulate(int i, Scratch &, int n);
-  bool update(const Particles &, int i, const Sums &, double dt);
+  void accumulate(int i, Scratch &, int n, Sums &, int lane) const;
+  void sum_row(int i, const NeighborRows &, Scratch &, Sums &, int lane);
+  int update(const Particles &, const typename Base::Batch &, const Sums &, double dt);
+  Tensor<D, Four> tension_stress(const Tensor<D, Four> &) const;
   template <bool VISCOUS, bool TENSILE> void force_row(const Particles &, int i);
   template <bool VISCOUS> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
@@ -129,7 +132,7 @@ template <int D> int EulerianSweeps<D>::gather(int i, int n, const int *list, in
 }
 
 template <int D>
-typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int i, Scratch &s, int n)
+void EulerianSweeps<D>::accumulate(int i, Scratch &s, int n, Sums &sums, int lane) const
 {
   const double *ri = kin(i);
   for (int k = 0; k < n; k++) {
@@ -178,24 +181,51 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int i, Scratch &s
     }
   }
 
-  Sums out;
-  if constexpr (D == 2) {
-    out.moment << mxx, mxy, mxy, myy;
-    out.velocity << lxx, lxy, lyx, lyy;
-  } else {
-    out.moment << mxx, mxy, mxz, mxy, myy, myz, mxz, myz, mzz;
-    out.velocity << lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz;
+  const double moment[3][3] = {{mxx, mxy, mxz}, {mxy, myy, myz}, {mxz, myz, mzz}};
+  const double velocity[3][3] = {{lxx, lxy, lxz}, {lyx, lyy, lyz}, {lzx, lzy, lzz}};
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) {
+      sums.moment(a, b).set(lane, moment[a][b]);
+      sums.velocity(a, b).set(lane, velocity[a][b]);
+    }
+}
+
+// pairs and sums of one particle
+
+template <int D>
+void EulerianSweeps<D>::sum_row(int i, const NeighborRows &list, Scratch &s, Sums &sums, int lane)
+{
+  const int start = pairs.first[i];
+  s.reserve(pairs.first[i + 1] - start);
+  s.nnear = 0;
+  int nfar = gather(i, list.numneigh[i], list.firstneigh[i], 0, s);
+  if (images.any())
+    nfar = gather(i, image_first[i + 1] - image_first[i], &image_j[image_first[i]], nfar, s);
+  const int n = s.nnear + nfar;
+  std::copy(s.far_j.begin(), s.far_j.begin() + nfar, s.j.begin() + s.nnear);
+  accumulate(i, s, n, sums, lane);
+
+  double nsum = 0.0;
+  pairs.nearest[i] = needs_correction() ? s.nnear : 0;
+  for (int k = 0; k < pairs.nearest[i]; k++) {
+    near_weight[start + k] = wbar_mass(i, s.j[k], separation(i, s.j[k]).norm());
+    nsum += near_weight[start + k];
   }
-  out.nsum = 0.0;
-  return out;
+  sums.nsum.set(lane, nsum);
+
+  std::copy(s.j.begin(), s.j.begin() + n, pairs.j.begin() + start);
+  std::copy(s.factor.begin(), s.factor.begin() + n, pairs.factor.begin() + start);
+  for (int k = n; k < whole_vectors(n); k++) {    // the last one again, without weight
+    pairs.j[start + k] = s.j[n - 1];
+    pairs.factor[start + k] = 0.0;
+  }
+  pairs.count[i] = n;
 }
 
 template <int D>
 int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, double dt)
 {
   std::atomic<int> bad(-1);
-  const bool correct = needs_correction();
-
 #if defined(_OPENMP)
 #pragma omp parallel num_threads(nthreads)
 #endif
@@ -204,62 +234,65 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
 #if defined(_OPENMP)
 #pragma omp for schedule(static)
 #endif
-    for (int ii = 0; ii < list.inum; ii++) {
-      const int i = list.ilist[ii];
-      const int start = pairs.first[i];
-      s.reserve(pairs.first[i + 1] - start);
-      s.nnear = 0;
-      int nfar = gather(i, list.numneigh[i], list.firstneigh[i], 0, s);
-      if (images.any())
-        nfar = gather(i, image_first[i + 1] - image_first[i], &image_j[image_first[i]], nfar, s);
-      const int n = s.nnear + nfar;
-      std::copy(s.far_j.begin(), s.far_j.begin() + nfar, s.j.begin() + s.nnear);
-
-      Sums sums = accumulate(i, s, n);
-      if (correct)
-        for (int k = 0; k < s.nnear; k++) {
-          near_weight[start + k] = wbar_mass(i, s.j[k], separation(i, s.j[k]).norm());
-          sums.nsum += near_weight[start + k];
-        }
-      std::copy(s.j.begin(), s.j.begin() + n, pairs.j.begin() + start);
-      std::copy(s.factor.begin(), s.factor.begin() + n, pairs.factor.begin() + start);
-      for (int k = n; k < whole_vectors(n); k++) {    // the last one again, without weight
-        pairs.j[start + k] = s.j[n - 1];
-        pairs.factor[start + k] = 0.0;
-      }
-      pairs.count[i] = n;
-      pairs.nearest[i] = correct ? s.nnear : 0;
-      if (!update(p, i, sums, dt)) bad = i;
+    for (int first = 0; first < list.inum; first += LANES) {
+      const typename Base::Batch four(list, first);
+      Sums sums;
+      for (int m = 0; m < LANES; m++) sum_row(four.i[m], list, s, sums, m);
+      const int unphysical = update(p, four, sums, dt);
+      if (unphysical >= 0) bad = unphysical;
     }
   }
-
   for (int ii = 0; ii < list.inum; ii++) ledger.plastic_work += work[list.ilist[ii]];
   return bad;
 }
 
-// constitutive update of one particle and what its neighbors read; false if
-// its state is not physical
+// constitutive update of four particles and what their neighbors read; the
+// index of one whose state is not physical, or -1
 
 template <int D>
-bool EulerianSweeps<D>::update(const Particles &p, int i, const Sums &sums, double dt)
+int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &four,
+                              const Sums &sums, double dt)
 {
-  Tensor<D> B = Tensor<D>::Identity();
-  if (opt.corrected && sums.moment.determinant() >= DET_FALLBACK) B = sums.moment.inverse();
-  Tensor<D> L = Tensor<D>::Zero();
-  if (dt > 0.0) L = midpoint_velocity_gradient<D>(sums.velocity * B, dt);
-  const auto point = Base::update_point(p, i, L, dt);
+  using Tensors = Tensor<D, Four>;
+  Tensors B = Tensors::Identity();
+  if (opt.corrected) {
+    const Four enough = sums.moment.determinant() - DET_FALLBACK;
+    const Tensors inverse = sums.moment.inverse();
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) B(a, b) = where_positive(enough, inverse(a, b), B(a, b));
+  }
+  Tensors L = Tensors::Zero();
+  if (dt > 0.0) L = midpoint_velocity_gradient<D, Four>(sums.velocity * B, dt);
+  const auto points = Base::update_points(p, four, L, dt);
 
-  const double rho = point.state.rho, inv_rho2 = 1.0 / (rho * rho);
-  auto weighted = [&](const Tensor<D> &sigma) {
-    return opt.corrected ? Tensor<D>(sigma * B.transpose()) : Tensor<D>(sigma * inv_rho2);
+  const Four rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
+  const Four mass = Base::lanes([&](int m) {
+    return p.mass[four.i[m]];
+  });
+  auto weighted = [&](const Tensors &sigma) {
+    return opt.corrected ? Tensors(sigma * B.transpose()) : Tensors(sigma * inv_rho2);
   };
-  Base::write_row(i, point, weighted(point.sigma), opt.corrected ? p.mass[i] / rho : p.mass[i],
-                  sums.nsum);
-  if (opt.tensile)
-    Base::put_tensor(str(i) + extra(0),
-                     weighted(artificial_stress<D>(point.sigma, opt.tensile_eps)));
-  return rho > 0.0 && std::isfinite(point.eos.P) && std::isfinite(point.state.S.sum()) &&
-      std::isfinite(sums.moment.sum());
+  Base::write_rows(four, points, weighted(points.sigma), opt.corrected ? mass / rho : mass,
+                   sums.nsum);
+  if (opt.tensile) Base::write_tensors(four, extra(0), weighted(tension_stress(points.sigma)));
+  return Base::unphysical(four, rho, points.eos.P + points.state.S.sum() + sums.moment.sum());
+}
+
+// artificial stress of four particles, one after the other: eigenvalues
+
+template <int D>
+Tensor<D, Four> EulerianSweeps<D>::tension_stress(const Tensor<D, Four> &sigma) const
+{
+  Tensor<D, Four> out;
+  for (int m = 0; m < LANES; m++) {
+    const Tensor<D> one = sigma.unaryExpr([m](const Four &lane) {
+      return lane[m];
+    });
+    const Tensor<D> R = artificial_stress<D>(one, opt.tensile_eps);
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) out(a, b).set(m, R(a, b));
+  }
+  return out;
 }
 
 /* ----------------------------------------------------------------------
@@ -303,7 +336,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
   const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
-  const Four zero = all(0.0), ok_i = all(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
+  const Four zero = Four(0.0), ok_i = Four(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
   Four stress = zero, viscous = zero, mu_least = zero;
 
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
@@ -313,7 +346,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
       const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
       d[m] = own - Motion<D>(kj);
-      const Several<D> g = d[m].spread_x() * all(sj[Str::K] * pairs.factor[k + m]);
+      const Several<D> g = d[m].spread_x() * Four(sj[Str::K] * pairs.factor[k + m]);
       stress += times(T + load_tensor<D>(sj), g);
       if (TENSILE) tensile[m] = times(R + load_tensor<D>(sj + extra(0)), g);
       if (VISCOUS) {
@@ -327,7 +360,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     Motion<D>::dots(d, r2, vr);
     if (TENSILE) {
       const Four fn = crowding_of(i, &pairs.j[k], r2);
-      for (int m = 0; m < LANES; m++) stress += all(fn[m]) * tensile[m];
+      for (int m = 0; m < LANES; m++) stress += Four(fn[m]) * tensile[m];
     }
     if (VISCOUS) {
       transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum of the neighbors
@@ -338,7 +371,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       Four q = inertia[0] * monaghan_pi(opt.a1, opt.a2, c, rho, mu) * load(&pairs.factor[k]);
       if (keep) store(&pull[k], q);    // m_j Pi_ij F_ij
       if (correct) q = where_positive(state[3], ok_i * q, zero);
-      for (int m = 0; m < LANES; m++) viscous -= all(q[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) viscous -= Four(q[m]) * d[m].x();
       mu_least = minimum(mu_least, mu);
     }
   }
@@ -358,8 +391,8 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
 
 template <int D> Four EulerianSweeps<D>::crowding_of(int i, const int *j, Four r2) const
 {
-  return Four{crowding_of(i, j[0], std::sqrt(r2[0])), crowding_of(i, j[1], std::sqrt(r2[1])),
-              crowding_of(i, j[2], std::sqrt(r2[2])), crowding_of(i, j[3], std::sqrt(r2[3]))};
+  return Four(crowding_of(i, j[0], std::sqrt(r2[0])), crowding_of(i, j[1], std::sqrt(r2[1])),
+              crowding_of(i, j[2], std::sqrt(r2[2])), crowding_of(i, j[3], std::sqrt(r2[3])));
 }
 
 // in: m_j Wbar_ij, from the gradient sweep
@@ -392,16 +425,16 @@ typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
   const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
   const Motion<D> own(kin(i));
   Several<D> gradient = Several<D>::zero(), crowded = gradient;
-  Four viscous = all(0.0);
+  Four viscous = Four(0.0);
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const std::int64_t j = pairs.j[k];
     const Motion<D> d = own - Motion<D>(kall + j * Kin::STRIDE);
     const double K_j = sall[j * stress_stride + Str::K];
-    const Several<D> g = d.spread_x() * all(-K_j * pairs.factor[k]);
+    const Several<D> g = d.spread_x() * Four(-K_j * pairs.factor[k]);
     add_outer(gradient, d.expanded_v(), g);
     if (TENSILE)
-      add_outer(crowded, d.expanded_v(), g * all(crowding_of(i, j, separation(i, j).norm())));
-    if (PULL) viscous += all(pull[k]) * d.products();
+      add_outer(crowded, d.expanded_v(), g * Four(crowding_of(i, j, separation(i, j).norm())));
+    if (PULL) viscous += Four(pull[k]) * d.products();
   }
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + extra(0)));

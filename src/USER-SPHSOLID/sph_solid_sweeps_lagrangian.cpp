@@ -64,7 +64,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
 
   std::vector<double> sep;         // X_i - X_j of every pair, D doubles
   std::vector<double> nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
-  std::vector<double> B, F;        // of own particles, D x D
+  Rows B, F;                       // of own particles, tensors
   std::vector<double> nsum;        // n of the correction, own
   std::vector<double> damp;        // of every pair: hourglass force on i = V0_i damp x_ij
 
@@ -90,30 +90,21 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   int add_pairs(const Particles &, int i, int n, const int *list, bool nearest, int at);
   void fill_vectors(int i);
   void correct_row(const Particles &, int i);
-  Tensor<D> tensor(const std::vector<double> &rows, int i) const
+  // one of own particles' tensors
+  static constexpr int TENSOR = Blocks<D>::TENSOR;
+  static Tensor<D> tensor(const Rows &rows, int i)
   {
-    return Eigen::Map<const Tensor<D>>(&rows[i * D * D]);
-  }
-  static void put_own(std::vector<double> &rows, int i, const Tensor<D> &t)
-  {
-    Eigen::Map<Tensor<D>> own(&rows[i * D * D]);
-    own = t;
+    Tensor<D> t;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) t(a, b) = rows[i * TENSOR + Blocks<D>::at(a, b)];
+    return t;
   }
 
   struct Sums {
-    Tensor<D> displacement, velocity;    // sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
+    Several<D> displacement, velocity;    // sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
   };
-  static Tensor<D> eigen(const Several<D> &t)
-  {
-    double row[Blocks<D>::TENSOR];
-    store_tensor(row, t);
-    Tensor<D> out;
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) out(a, b) = row[Blocks<D>::at(a, b)];
-    return out;
-  }
   Sums accumulate(int i) const;
-  bool update(const Particles &, int i, double dt);
+  int update(const Particles &, const typename Base::Batch &, double dt);
   template <bool VISCOUS, bool LIMITED, bool HOURGLASS> void force_row(const Particles &, int i);
   template <bool VISCOUS, bool LIMITED, bool HOURGLASS>
   void force_rows(const Particles &, const NeighborRows &);
@@ -183,8 +174,8 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   sep.resize(n * D);
   if (opt.hourglass > 0.0) damp.resize(n);
   nearness.resize(n);
-  B.resize(static_cast<std::size_t>(p.nlocal) * D * D);
-  F.resize(static_cast<std::size_t>(p.nlocal) * D * D);
+  B.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
+  F.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
   nsum.assign(p.nlocal, 0.0);
 
   for (int ii = 0; ii < list.inum; ii++) {
@@ -231,7 +222,9 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
     nsum[i] += p.mass[source] * CubicSpline<D>::w(X.norm(), 0.5 * opt.hbar * spacing);
   }
   const bool enough = M.determinant() >= DET_FALLBACK;
-  put_own(B, i, enough ? Tensor<D>(M.inverse()) : Tensor<D>::Identity());
+  const Tensor<D> inverse = enough ? Tensor<D>(M.inverse()) : Tensor<D>::Identity();
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) B[i * TENSOR + Blocks<D>::at(a, b)] = inverse(a, b);
 }
 
 /* ----------------------------------------------------------------------
@@ -246,13 +239,13 @@ template <int D> typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumul
 
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const double *X = &sep[k * D];
-    const Several<D> g = load_spread<D>(X) * all(pairs.factor[k]);    // V0_j g_ij
+    const Several<D> g = load_spread<D>(X) * Four(pairs.factor[k]);    // V0_j g_ij
     Motion<D> d = Motion<D>(kall + static_cast<std::int64_t>(pairs.j[k]) * Kin::STRIDE) - own;
     d.move_by(X);    // x_j - x_i + X_i - X_j = u_j - u_i
     add_outer(displacement, d.expanded_x(), g);
     add_outer(velocity, d.expanded_v(), g);
   }
-  return {eigen(displacement), eigen(velocity)};
+  return {displacement, velocity};
 }
 
 template <int D>
@@ -262,39 +255,68 @@ int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, 
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
 #endif
-  for (int ii = 0; ii < list.inum; ii++)
-    if (!update(p, list.ilist[ii], dt)) bad = list.ilist[ii];
+  for (int first = 0; first < list.inum; first += LANES) {
+    const int unphysical = update(p, typename Base::Batch(list, first), dt);
+    if (unphysical >= 0) bad = unphysical;
+  }
   for (int ii = 0; ii < list.inum; ii++) ledger.plastic_work += work[list.ilist[ii]];
   return bad;
 }
 
-// constitutive update of one particle and what its neighbors read; false if
-// its state is not physical
+// constitutive update of four particles and what their neighbors read; the
+// index of one whose state is not physical, or -1
 
-template <int D> bool LagrangianSweeps<D>::update(const Particles &p, int i, double dt)
+template <int D>
+int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &four, double dt)
 {
-  const Sums sums = accumulate(i);
-  const Tensor<D> correction = tensor(B, i);
-  const Tensor<D> Fi = Tensor<D>::Identity() + sums.displacement * correction;
-  const Tensor<D> rate = sums.velocity * correction;
-  put_own(F, i, Fi);
-  Tensor<D> L = Tensor<D>::Zero();
-  if (dt > 0.0) L = rate * Tensor<D>(Fi - 0.5 * dt * rate).inverse();
-  const auto point = Base::update_point(p, i, L, dt);
-
-  const double rho = point.state.rho, J = p.mass[i] / (rho * p.vref[i]);
-  const Tensor<D> C = J * Fi.inverse().transpose() * correction.transpose();
-  Base::write_row(i, point, point.sigma * C, 0.0, nsum[i]);
-  double *row = str(i);
-  if (viscous()) Base::put_tensor(row + at_C(), C);
-  if (needs_rates()) {
-    const TypeData &t = types[p.type[i]];
-    const double c = row[Str::C];
-    Base::put_tensor(row + at_rate(), rate);
-    row[Str::K] = rho * t.h * std::sqrt(c * c + 4.0 * t.material.shear / (3.0 * rho));
+  Several<D> displacement[LANES], velocity[LANES], own[LANES];
+  for (int m = 0; m < LANES; m++) {
+    const Sums sums = accumulate(four.i[m]);
+    displacement[m] = sums.displacement;
+    velocity[m] = sums.velocity;
+    own[m] = load_tensor<D>(&B[four.i[m] * TENSOR]);
   }
-  return rho > 0.0 && std::isfinite(point.eos.P) && std::isfinite(point.state.S.sum()) &&
-      std::isfinite(C.sum());
+  using Tensors = Tensor<D, Four>;
+  const Tensors correction = lanes_of<D>(own);
+  const Tensors Fi = Tensors::Identity() + lanes_of<D>(displacement) * correction;
+  const Tensors rate = lanes_of<D>(velocity) * correction;
+  from_lanes<D>(Fi, own);
+  for (int m = 0; m < four.n; m++) store_tensor(&F[four.i[m] * TENSOR], own[m]);
+
+  Tensors L = Tensors::Zero();
+  if (dt > 0.0) L = rate * Tensors(Fi - Four(0.5 * dt) * rate).inverse();
+  const auto points = Base::update_points(p, four, L, dt);
+
+  auto lanes = [&](auto value) {
+    return Base::lanes([&](int m) {
+      return value(four.i[m]);
+    });
+  };
+  const Four rho = points.state.rho;
+  const Four J = lanes([&](int i) {
+                   return p.mass[i];
+                 }) /
+      (rho * lanes([&](int i) {
+                   return p.vref[i];
+                 }));
+  const Tensors C = J * Tensors(Fi.inverse()).transpose() * correction.transpose();
+  Four impedance = 0.0;
+  if (needs_rates()) {
+    const Four h = lanes([&](int i) {
+      return types[p.type[i]].h;
+    });
+    const Four shear = lanes([&](int i) {
+      return types[p.type[i]].material.shear;
+    });
+    impedance =
+        rho * h * square_root(maximum(points.eos.c2, Four(0.0)) + 4.0 * shear / (3.0 * rho));
+  }
+  Base::write_rows(four, points, points.sigma * C, impedance, lanes([&](int i) {
+                     return nsum[i];
+                   }));
+  if (viscous()) Base::write_tensors(four, at_C(), C);
+  if (needs_rates()) Base::write_tensors(four, at_rate(), rate);
+  return Base::unphysical(four, rho, points.eos.P + points.state.S.sum() + C.sum());
 }
 
 /* ----------------------------------------------------------------------
@@ -345,7 +367,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
   const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
-  const Four zero = all(0.0), ok_i = all(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
+  const Four zero = Four(0.0), ok_i = Four(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
   Four stress = zero, viscous = zero, hourglass = zero, mu_least = zero;
 
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
@@ -354,7 +376,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
     for (int m = 0; m < LANES; m++) {
       const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
       const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
-      const Several<D> X = load_spread<D>(&sep[(k + m) * D]), g = X * all(pairs.factor[k + m]);
+      const Several<D> X = load_spread<D>(&sep[(k + m) * D]), g = X * Four(pairs.factor[k + m]);
       stress += times(T + load_tensor<D>(sj), g);
       if (!VISCOUS && !HOURGLASS) continue;
       d[m] = own - Motion<D>(kj);
@@ -370,6 +392,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
 
     Four r2, vr;
     Motion<D>::dots(d, r2, vr);
+    const Four inv_r2 = 1.0 / r2;
     transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum of the neighbors
     Four li = zero, lj = zero;
     if (LIMITED || HOURGLASS) {
@@ -378,20 +401,20 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
     }
     if (HOURGLASS) {
       const Four impedance = 0.5 * opt.hourglass * (si[Str::K] + state[0]);
-      const Four s = impedance * load(&pairs.factor[k]) * (vr - 0.5 * (li + lj)) / r2;
+      const Four s = impedance * load(&pairs.factor[k]) * (vr - 0.5 * (li + lj)) * inv_r2;
       store(&damp[k], s);
-      for (int m = 0; m < LANES; m++) hourglass += all(s[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) hourglass += Four(s[m]) * d[m].x();
     }
     if (VISCOUS) {
       if (LIMITED) vr = limited_jump(vr, li, lj);
-      const Four mu = minimum(vr, zero) * load(&nearness[k]) / square_root(r2);
+      const Four mu = minimum(vr, zero) * load(&nearness[k]) * square_root(r2) * inv_r2;
       const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
       const Four Pi = rho * mu * (opt.a2 * mu - opt.a1 * c);
       const Four G = 0.5 * sums(along[0], along[1], along[2], along[3]);
-      Four s = Pi * minimum(G, zero) / r2;    // V0_j Pi G
+      Four s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
       if (keep) store(&pull[k], s);
       if (correct) s = where_positive(state[3], ok_i * s, zero);
-      for (int m = 0; m < LANES; m++) viscous -= all(s[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) viscous -= Four(s[m]) * d[m].x();
       mu_least = minimum(mu_least, mu);
     }
   }
@@ -440,12 +463,12 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
   const double *kall = krow.data();
   const Motion<D> own(kin(i));
   Several<D> gradient = Several<D>::zero();
-  Four viscous = all(0.0), hourglass = all(0.0);
+  Four viscous = Four(0.0), hourglass = Four(0.0);
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const Motion<D> d = Motion<D>(kall + static_cast<std::int64_t>(pairs.j[k]) * Kin::STRIDE) - own;
-    add_outer(gradient, d.expanded_v(), load_spread<D>(&sep[k * D]) * all(pairs.factor[k]));
-    if (PULL) viscous += all(pull[k]) * d.products();
-    if (DAMP) hourglass -= all(damp[k]) * d.products();
+    add_outer(gradient, d.expanded_v(), load_spread<D>(&sep[k * D]) * Four(pairs.factor[k]));
+    if (PULL) viscous += Four(pull[k]) * d.products();
+    if (DAMP) hourglass -= Four(damp[k]) * d.products();
   }
   const double V0 = kin(i)[Kin::VOLUME];
   return {V0 * contract(gradient, load_tensor<D>(str(i))), 0.5 * V0 * Motion<D>::v_dot_x(viscous),

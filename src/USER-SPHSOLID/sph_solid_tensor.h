@@ -9,14 +9,36 @@
 #ifndef LMP_SPH_SOLID_TENSOR_H
 #define LMP_SPH_SOLID_TENSOR_H
 
+#include "sph_solid_vector.h"
+
 #include <Eigen/Core>
 #include <Eigen/LU>
+
+namespace Eigen {
+template <> struct NumTraits<SPHSolid::Four> : GenericNumTraits<SPHSolid::Four> {
+  typedef SPHSolid::Four Real;
+  typedef SPHSolid::Four NonInteger;
+  typedef SPHSolid::Four Nested;
+  typedef double Literal;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};
+}    // namespace Eigen
 
 namespace SPHSolid {
 
 // second-order tensor and vector in D space dimensions; 2d means plane strain
 
-template <int D> using Tensor = Eigen::Matrix<double, D, D>;
+// Real: a number, or four of them for four particles at a time
+
+template <int D, class Real = double> using Tensor = Eigen::Matrix<Real, D, D>;
 template <int D> using Vector = Eigen::Matrix<double, D, 1>;
 
 // index of component (a,b) in the six stored numbers

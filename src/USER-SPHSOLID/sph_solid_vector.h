@@ -35,135 +35,170 @@ inline int whole_vectors(int n)
   return (n + LANES - 1) / LANES * LANES;
 }
 
+class Four {
 #ifdef SPHSOLID_PORTABLE_VECTOR
-
-struct Four {
-  double lane[LANES];
-  double &operator[](int k) { return lane[k]; }
-  double operator[](int k) const { return lane[k]; }
-};
-
-template <class F> inline Four each(F f)
-{
-  return {f(0), f(1), f(2), f(3)};
-}
-inline Four operator+(const Four &a, const Four &b)
-{
-  return each([&](int k) {
-    return a[k] + b[k];
-  });
-}
-inline Four operator-(const Four &a, const Four &b)
-{
-  return each([&](int k) {
-    return a[k] - b[k];
-  });
-}
-inline Four operator*(const Four &a, const Four &b)
-{
-  return each([&](int k) {
-    return a[k] * b[k];
-  });
-}
-inline Four operator/(const Four &a, const Four &b)
-{
-  return each([&](int k) {
-    return a[k] / b[k];
-  });
-}
-inline Four operator+(double a, const Four &b)
-{
-  return each([&](int k) {
-    return a + b[k];
-  });
-}
-inline Four operator*(double a, const Four &b)
-{
-  return each([&](int k) {
-    return a * b[k];
-  });
-}
-inline Four operator*(const Four &a, double b)
-{
-  return b * a;
-}
-inline Four &operator+=(Four &a, const Four &b)
-{
-  return a = a + b;
-}
-inline Four &operator-=(Four &a, const Four &b)
-{
-  return a = a - b;
-}
-
-// lanes of a (0 to 3) and b (4 to 7)
-template <int i, int j, int k, int l> inline Four shuffle(const Four &a, const Four &b)
-{
-  auto pick = [&](int n) {
-    return n < LANES ? a[n] : b[n - LANES];
+  struct Native {
+    double lane[LANES];
+    double &operator[](int k) { return lane[k]; }
+    double operator[](int k) const { return lane[k]; }
   };
-  return {pick(i), pick(j), pick(k), pick(l)};
-}
-
-// condition > 0 ? a : b
-inline Four where_positive(const Four &condition, const Four &a, const Four &b)
-{
-  return each([&](int k) {
-    return condition[k] > 0.0 ? a[k] : b[k];
-  });
-}
-
 #else
+  typedef double Native __attribute__((vector_size(LANES * sizeof(double))));
+#endif
 
-typedef double Four __attribute__((vector_size(LANES * sizeof(double))));
+ public:
+  Four() = default;
+  Four(double a) : v{a, a, a, a} {}
+  Four(double a, double b, double c, double d) : v{a, b, c, d} {}
+
+  double operator[](int k) const
+  {
+    return v[k];
+  }
+  void set(int k, double a)
+  {
+    v[k] = a;
+  }
+  static Four loaded(const double *from)
+  {
+    Four a;
+    std::memcpy(&a.v, from, sizeof(a.v));
+    return a;
+  }
+  void store_at(double *to) const { std::memcpy(to, &v, sizeof(v)); }
+
+#ifdef SPHSOLID_PORTABLE_VECTOR
+  template <class F> static Four each(F f)
+  {
+    return Four(f(0), f(1), f(2), f(3));
+  }
+  friend Four operator+(Four a, Four b)
+  {
+    return each([&](int k) {
+      return a[k] + b[k];
+    });
+  }
+  friend Four operator-(Four a, Four b)
+  {
+    return each([&](int k) {
+      return a[k] - b[k];
+    });
+  }
+  friend Four operator*(Four a, Four b)
+  {
+    return each([&](int k) {
+      return a[k] * b[k];
+    });
+  }
+  friend Four operator/(Four a, Four b)
+  {
+    return each([&](int k) {
+      return a[k] / b[k];
+    });
+  }
+  // condition > 0 ? a : b
+  friend Four where_positive(Four condition, Four a, Four b)
+  {
+    return each([&](int k) {
+      return condition[k] > 0.0 ? a[k] : b[k];
+    });
+  }
+  // lanes of a (0 to 3) and b (4 to 7)
+  template <int i, int j, int k, int l> static Four shuffled(Four a, Four b)
+  {
+    auto pick = [&](int n) {
+      return n < LANES ? a[n] : b[n - LANES];
+    };
+    return Four(pick(i), pick(j), pick(k), pick(l));
+  }
+#else
+  friend Four operator+(Four a, Four b)
+  {
+    return Four(a.v + b.v);
+  }
+  friend Four operator-(Four a, Four b)
+  {
+    return Four(a.v - b.v);
+  }
+  friend Four operator*(Four a, Four b)
+  {
+    return Four(a.v * b.v);
+  }
+  friend Four operator/(Four a, Four b)
+  {
+    return Four(a.v / b.v);
+  }
+  friend Four where_positive(Four condition, Four a, Four b)
+  {
+    return Four(condition.v > Native{0.0, 0.0, 0.0, 0.0} ? a.v : b.v);
+  }
+  template <int i, int j, int k, int l> static Four shuffled(Four a, Four b)
+  {
+#if defined(__clang__) || __GNUC__ >= 12
+    return Four(__builtin_shufflevector(a.v, b.v, i, j, k, l));
+#else
+    typedef long long Mask __attribute__((vector_size(LANES * sizeof(long long))));
+    return Four(__builtin_shuffle(a.v, b.v, Mask{i, j, k, l}));
+#endif
+  }
+#endif
+
+  Four operator-() const
+  {
+    return Four(0.0) - *this;
+  }
+  Four &operator+=(Four b)
+  {
+    return *this = *this + b;
+  }
+  Four &operator-=(Four b)
+  {
+    return *this = *this - b;
+  }
+  Four &operator*=(Four b)
+  {
+    return *this = *this * b;
+  }
+  Four &operator/=(Four b)
+  {
+    return *this = *this / b;
+  }
+
+ private:
+#ifndef SPHSOLID_PORTABLE_VECTOR
+  explicit Four(Native n) : v(n) {}
+#endif
+  Native v;
+};
 
 template <int i, int j, int k, int l> inline Four shuffle(Four a, Four b)
 {
-#if defined(__clang__) || __GNUC__ >= 12
-  return __builtin_shufflevector(a, b, i, j, k, l);
-#else
-  typedef long long Mask __attribute__((vector_size(LANES * sizeof(long long))));
-  return __builtin_shuffle(a, b, Mask{i, j, k, l});
-#endif
+  return Four::shuffled<i, j, k, l>(a, b);
 }
-
-inline Four where_positive(Four condition, Four a, Four b)
-{
-  return condition > Four{0.0, 0.0, 0.0, 0.0} ? a : b;
-}
-
-#endif
 
 template <int i, int j, int k, int l> inline Four shuffle(Four a)
 {
   return shuffle<i, j, k, l>(a, a);
 }
 
-inline Four all(double a)
-{
-  return Four{a, a, a, a};
-}
-
 inline Four load(const double *from)
 {
-  Four v;
-  std::memcpy(&v, from, sizeof(v));
-  return v;
+  return Four::loaded(from);
+}
+
+inline void store(double *to, Four v)
+{
+  v.store_at(to);
 }
 
 // {p0, p1, 0, 0} and {p0, p1, p0, p1}
 inline Four load_two(const double *p)
 {
-  return Four{p[0], p[1], 0.0, 0.0};
+  return Four(p[0], p[1], 0.0, 0.0);
 }
 inline Four load_two_twice(const double *p)
 {
-  return Four{p[0], p[1], p[0], p[1]};
-}
-
-inline void store(double *to, Four v)
-{
-  std::memcpy(to, &v, sizeof(v));
+  return Four(p[0], p[1], p[0], p[1]);
 }
 
 // the same for one number
@@ -178,9 +213,18 @@ template <class Real> inline Real minimum(Real a, Real b)
   return where_positive(b - a, a, b);
 }
 
+template <class Real> inline Real maximum(Real a, Real b)
+{
+  return where_positive(a - b, a, b);
+}
+
+inline double square_root(double a)
+{
+  return std::sqrt(a);
+}
 inline Four square_root(Four a)
 {
-  return Four{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+  return Four(std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]));
 }
 
 inline double sum(Four a)
