@@ -438,8 +438,9 @@ template <int D> void LagrangianSweeps<D>::near_weights(int i)
     const int at = pairs.first[i] + k, j = pairs.j[at];
     double r2 = 0.0;
     for (int a = 0; a < D; a++) r2 += sep[at * D + a] * sep[at * D + a];
-    near_weight[at] = correction_weight(opt.weights, wbar_mass(i, j, std::sqrt(r2)),
-                                        str(i)[Str::NSUM], str(j)[Str::NSUM]);
+    const double m_wbar =
+        wbar_mass(std::sqrt(r2), kin(j)[Kin::MASS], kin(i)[Kin::NEAR], kin(j)[Kin::NEAR]);
+    near_weight[at] = correction_weight(opt.weights, m_wbar, str(i)[Str::NSUM], str(j)[Str::NSUM]);
   }
 }
 
