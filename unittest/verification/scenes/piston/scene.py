@@ -4,7 +4,7 @@ import methods
 import shock
 import two_waves
 from catalogue import case
-from two_waves import FIGURES, ORDERS, TARGETS, gates, judge
+from two_waves import FIGURES, ORDERS, TARGETS, judge, order_gates
 
 TITLE = "Elastic-plastic piston"
 PROBLEM = two_waves.Problem(shock.COPPER, 20.0, 1.0)
@@ -40,6 +40,10 @@ def cannot(method):
 
 def measure(case):
     return PROBLEM.measure(case)
+
+
+def gates(case):
+    return two_waves.gates(case, PROBLEM, 75e-6)
 
 
 def draw(results, file):
