@@ -159,6 +159,7 @@ def index_rows(name, scene, results):
 
 def index_row(name, text, target, values, head, named, form, meets):
     value = values.get(head, math.nan)
+    values = {key: v for key, v in values.items() if math.isfinite(v)}
     met = sum(meets(v) for v in values.values())
     return [f":doc:`{name}`", text + named, target, form.format(value) if math.isfinite(value) else "-",
             "met" if meets(value) else "**missed**", f"{met} of {len(values)}"]

@@ -3,6 +3,7 @@
 
   verify.py test <scene>         the short form, for ctest: fails if a gate is missed, nothing ran, or a run crashed
   verify.py report [scene ...]   everything, and the pages doc/verification; all scenes if none is named
+  verify.py measure [scene ...]  figures and pages again, from the output that the runs left
   verify.py pages [scene ...]    the pages again, from the figures kept there, without running
 
 LMP=<program> (default build/lmp); JOBS=<n>: runs at the same time; see examples/running.py."""
@@ -50,12 +51,31 @@ def make_report(names):
         done += weights[name]
         catalogue.keep(results, scene, report.data(name))
         report.page(name, scene, results)
-        missed += [f"{name}: {text}" for text in catalogue.complaints(scene, results)[0]]
+        missed += judge(name, scene, results)
     report.index()
-    for text in missed:
-        say("MISSED:", text)
     say(f"The pages are in {report.PAGES}; ./sphsolid docs makes them into web pages.")
     sys.exit(1 if missed else 0)
+
+
+def judge(name, scene, results):
+    """Says which gates are missed, and returns the sentences."""
+    found, _ = catalogue.complaints(scene, results)
+    for text in found:
+        say(f"MISSED: {name}: {text}")
+    return found
+
+
+def measure(names):
+    """From what is in the output folders; runs that failed keep their message."""
+    for name in names:
+        scene = load(name)
+        failed = {r.case.name: r.failed for r in catalogue.kept(scene, name, report.data(name)) if r.failed}
+        results = [catalogue.result(scene, each, failed.get(each.name, "")) for each in
+                   catalogue.cases_of(scene, name, "report") if each.csv.exists() or each.name in failed]
+        catalogue.keep(results, scene, report.data(name))
+        report.page(name, scene, results)
+        judge(name, scene, results)
+    report.index()
 
 
 def pages(names):
@@ -66,11 +86,14 @@ def pages(names):
     report.index()
 
 
+COMMANDS = {"test": test, "report": make_report, "measure": measure, "pages": pages}
+
+
 def main():
     command, names = sys.argv[1] if len(sys.argv) > 1 else "", sys.argv[2:]
-    if command not in ("test", "report", "pages") or (command == "test" and not names):
+    if command not in COMMANDS or (command == "test" and not names):
         sys.exit(__doc__)
-    {"test": test, "report": make_report, "pages": pages}[command](names or catalogue.names())
+    COMMANDS[command](names or catalogue.names())
 
 
 if __name__ == "__main__":

@@ -57,7 +57,10 @@ def cases(level):
 
 
 def cannot(method):
-    return "not yet" if method.stock else ""
+    if method.stock == "tlsph":
+        return ("forces across a periodic boundary are wrong (pair_smd_tlsph.cpp of LAMMPS 4 Jul 2026 takes the minimum "
+                "image of a reference distance before it computes it); the first step tears the strip apart")
+    return ""
 
 
 # ---- figures ------------------------------------------------------------------------------------------------
@@ -101,7 +104,8 @@ def measure(case):
     data = columns(case.csv)
     t, kinetic = data["periods"], data["kinetic_J"]
     omega = 0.5 / slope(crossings(t, data["amplitude"]))
-    return {"lattice": omega / expected(case, t[2] - t[1]) - 1, "frequency": omega - 1,
+    lattice_known = not case.method.stock    # the kernels of the others are not in lattice.py
+    return {"lattice": omega / expected(case, t[2] - t[1]) - 1 if lattice_known else math.nan, "frequency": omega - 1,
             "lost": 1 - last_peak(t, kinetic) / kinetic[0], "profile": profile_error(case),
             "energy": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"])}
 
@@ -116,6 +120,8 @@ def faithful(method):
 
 
 def gates(case):
+    if case.method.stock:
+        return {}
     strict = faithful(case.method) and case.n >= 50
     return {"lattice": 1e-5 if strict else 1e-3, "energy": 1e-12}
 
@@ -153,11 +159,11 @@ def draw(results, file):
 def judge(results):
     finest = [r for r in results if not r.failed and r.case.n == max(r.case.n for r in results)]
     by_key = {r.case.method.key: r.figures for r in finest}
-    off = max(abs(r.figures["lattice"]) for r in finest)
+    off = max(abs(r.figures["lattice"]) for r in finest if not r.case.method.stock)
     kept = [methods.BY_KEY[key] for key, got in by_key.items() if got["lost"] <= TARGETS["lost"]]
     first, standard = by_key[methods.DEFAULT], by_key["L-monaghan1"]
     plain = max(abs(r.figures["frequency"]) for r in finest if r.case.method.gradient == "plain")
-    return (f"With n = {finest[0].case.n} every method travels at the speed of its lattice, within {off:.0e}; plain "
+    return (f"With n = {finest[0].case.n} in every method of this package waves travel at the speed of their lattice, within {off:.0e}; plain "
             f"gradients leave {100 * plain:.1f} % against the continuum at any n. In 20 half periods *correct* loses "
             f"{100 * first['lost']:.4f} % of the kinetic energy and *monaghan 1 1* {100 * standard['lost']:.0f} %; "
             f"{len(kept)} of {len(finest)} methods stay below {100 * TARGETS['lost']:g} %.")
