@@ -148,7 +148,7 @@ def shapes(figure, axes, case):
         axes.text(0, 7 - 16 * k, f"{moment * 1e6:.1f} us", ha="center", fontsize=7)
     axes.set(xlim=(-34, 34), ylim=(-58, 11), xlabel="x (mm)", title="sxx (GPa), corrected viscosity, n = 20")
     axes.set_yticks([])
-    figure.colorbar(axes.collections[0], ax=axes, shrink=0.8)
+    bodies.colour_bar(figure, axes)
 
 
 def judge(results):

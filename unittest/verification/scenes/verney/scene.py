@@ -104,7 +104,7 @@ def misses(case):
 def draw(results, file):
     import pictures
     figure, (left, middle, right) = pictures.axes(3, width=3.6)
-    pictures.convergence(left, results, "radius", 1e-5)
+    bodies.errors(left, results, "radius", 1e-5, more=[methods.DEFAULT + suffix for suffix in ("-fast", "-square")])
     left.axhline(TARGETS["radius"], color="k", lw=0.7)
     left.set(xlabel="spacings through the wall", ylabel="error of the inner radius", title="black: target")
     for each in (r for r in results if not r.failed and r.case.n == 10 and r.case.series == r.case.method.key):
@@ -125,7 +125,7 @@ def cylinder(figure, axes, case):
     axes.plot([x * 1e3 for x in first["x"]], [y * 1e3 for y in first["y"]], ",", color="0.6")
     bodies.particles(axes, last, 0.9 * 20.0 / case.n, last["epl"], Normalize(0, max(last["epl"])), unit=1e-3)
     axes.set(xlim=(0, 101), ylim=(0, 101), xlabel="x (mm)", ylabel="y (mm)", title="plastic strain; grey: start")
-    figure.colorbar(axes.collections[0], ax=axes, shrink=0.8)
+    bodies.colour_bar(figure, axes)
 
 
 def judge(results):
