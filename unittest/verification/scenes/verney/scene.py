@@ -26,11 +26,13 @@ With :math:`\rho` = 1845 kg/m\ :sup:`3` and Y = 330 MPa (constants of the tests 
 490.30 m/s stop at a = 50 and 40 mm. Beryllium is neither rigid nor incompressible: with :math:`\mu` = 151.9 GPa and the
 Mie-Grueneisen equation of state (C = 7998 m/s, S = 1.124, :math:`\Gamma` = 1.11), explicit Lagrangian finite elements (bilinear
 quadrilaterals with constant pressure, 20 through the wall) have 50.07 and 40.06 mm after 150 us, less than 7e-4 of the
-kinetic energy left, and 1e-4 of it in viscous heat. This is the reference here.
+kinetic energy left (the wall vibrates on), and 1e-4 of it in viscous heat. This is the reference here; its last digit is 2e-4
+of the radius, so that smaller errors mean nothing.
 
 A quarter with two mirror planes and a polar lattice: n spacings through the wall, particles on both faces. The lattice is the
 same at every angle, so that the cylinder stays circular if the mirror planes are exact; *circularity* is the spread of
-the inner radius over its mean. *square* rows have a square lattice with staircase faces instead.
+the inner radius over its mean. The *fast* row is the second speed. The *square* row has a square lattice instead, so that the
+faces are staircases.
 """
 
 FIGURES = [
@@ -54,6 +56,7 @@ def cases(level):
     default = methods.BY_KEY[methods.DEFAULT]
     for suffix, variables in (("-fast", {"u0": FAST}), ("-square", {"u0": SLOW, "lattice": "square"})):
         found += [case("verney", default, n, weight=8.0 * (n / 20) ** 3, suffix=suffix, **variables) for n in (5, 10, 20)]
+    found[-1].may_fail = "the staircase of the inner face folds, and partners come to lie on each other"
     return found
 
 
@@ -91,13 +94,21 @@ def inner_radius(data):
 # ---- judging ------------------------------------------------------------------------------------------------
 
 def gates(case):
-    lagrangian = case.method.frame == "lagrangian"
-    found = {"kinetic": 0.01, "total": 1e-10, "radius": 0.01}
-    return {**found, "circle": 1e-9 if lagrangian else 0.01} if "lattice" not in case.variables else found
+    found = {"kinetic": 0.01, "total": 1e-10, "radius": 0.005 if case.method.key[2:] in FAITHFUL else 0.01}
+    return {**found, "circle": 1e-9} if case.method.gradient == "corrected" and "lattice" not in case.variables else found
+
+
+FAITHFUL = ("none", "correct", "limited05", "limited2")    # these hardly heat a smooth flow
 
 
 def misses(case):
-    """Ordinary viscosity counts the steady convergence of the flow as a shock."""
+    key, n = case.method.key, case.n
+    if "lattice" in case.variables:
+        return {"radius": "the staircase of the inner face folds"}
+    if key == "P-correct" or (key == "P-monaghan1" and n >= 10):
+        return {"radius": "plain gradients see too little strain near the faces"}
+    if (key[2:] == "monaghan1" and key[0] != "P") or (key[2:] == "monaghan05" and n < 20):
+        return {"radius": "ordinary viscosity takes the convergence of the flow for a shock"}
     return {}
 
 
@@ -138,8 +149,9 @@ def judge(results):
             f"n = {fast.case.n}: {100 * fast.figures['radius']:+.2f} %; target 1 %), circular to {best.figures['circle']:.0e}. At n = 10 "
             f"{len(within)} of {len(at10)} methods are within the target; worst is {pictures_label(worst)} with "
             f"{100 * at10[worst]['radius']:+.1f} %: ordinary viscosity takes the convergence of the flow for a shock, "
-            f"{100 * at10[worst]['viscous']:.0f} % of the energy becomes viscous heat. A square lattice with staircase faces "
-            f"is off by {100 * square.figures['radius']:+.2f} %, and circular to {square.figures['circle']:.0e}.")
+            f"{100 * at10[worst]['viscous']:.0f} % of the energy becomes viscous heat. Where plain gradients are near the radius it is by "
+            f"chance: plastic work is {100 * at10['P-monaghan1']['plastic']:+.0f} % off. A square lattice with staircase faces "
+            f"(n = {square.case.n}) is off by {100 * square.figures['radius']:+.2f} %, and circular to {square.figures['circle']:.0e}.")
 
 
 def pictures_label(key):
