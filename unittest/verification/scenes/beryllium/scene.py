@@ -45,6 +45,9 @@ TARGETS = {"period": 0.01, "up": 0.02, "down": 0.02, "total": 1e-9, "lost": 0.01
 def cases(level):
     found = [case("beryllium", method, n, weight=cost(method) * (n / 20) ** 3, scale=LARGE, **thin(method))
              for method in methods.METHODS if not cannot(method) for n in sizes(method, level)]
+    for each in found:
+        if each.method.key == "E-none" and each.n >= 10:
+            each.may_fail = "particles in tension pair up, and nothing damps them"
     default = methods.BY_KEY[methods.DEFAULT]
     return found + [case("beryllium", default, n, weight=2 * cost(default) * (n / 20) ** 3, suffix="-small", scale=SMALL,
                          tend="150e-6", **thin(default)) for n in sizes(default, level)]
@@ -145,8 +148,8 @@ def shapes(figure, axes, case):
     for k, (moment, shot) in enumerate(snapshots(case.dump)[1:5]):
         placed = {"x": shot["x"], "y": [y - 16e-3 * k for y in shot["y"]]}
         bodies.particles(axes, placed, 10.0 / case.n, [s / 1e9 for s in shot["sxx"]], Normalize(-20, 20), "RdBu_r", 1e-3)
-        axes.text(0, 7 - 16 * k, f"{moment * 1e6:.1f} us", ha="center", fontsize=7)
-    axes.set(xlim=(-34, 34), ylim=(-58, 11), xlabel="x (mm)", title="sxx (GPa), corrected viscosity, n = 20")
+        axes.text(-52, -1 - 16 * k, f"{moment * 1e6:.1f} us", fontsize=7)
+    axes.set(xlim=(-54, 34), ylim=(-58, 11), xlabel="x (mm)", title="sxx (GPa), corrected viscosity, n = 20")
     axes.set_yticks([])
     bodies.colour_bar(figure, axes)
 
@@ -155,9 +158,9 @@ def judge(results):
     runs = series(results)
     best, small, ordinary = runs[methods.DEFAULT][-1], runs[methods.DEFAULT + "-small"], runs["L-monaghan1"][-1]
     got = best.figures
-    return (f"With {best.case.n} spacings through the depth the period is off by {100 * got['period']:+.2f} % and the first extremes by "
+    return (f"With {best.case.n} spacings through the depth the period is off by {100 * got['period']:+.3f} % and the first extremes by "
             f"{100 * got['up']:+.1f} and {100 * got['down']:+.1f} %; {100 * got['lost']:.2f} % of the energy is lost in a period "
             f"(*monaghan 1 1*: {100 * ordinary.figures['lost']:.1f} %), less with order {order(runs[methods.DEFAULT], 'lost'):.1f}. "
             f"For small amplitudes the period is off by " +
             ", ".join(f"{100 * r.figures['period']:+.2f} % (n = {r.case.n})" for r in small) +
-            ". In the Eulerian frame the plate is too soft and then breaks.")
+            f", with order {order(small, 'period'):.1f}. In the Eulerian frame the plate is too soft and then breaks.")
