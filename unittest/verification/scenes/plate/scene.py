@@ -7,6 +7,7 @@ from running import columns, snapshots
 
 TITLE = "Oscillating plate"
 PERIOD = {"fixed": 0.2552, "channel": 0.2625}    # s
+NONE = 1.0                                       # error of a plate that does not swing back in time
 THIN = {"h": 0.8}                                # as doc/pair_sph_solid.rst recommends for thin bodies in bending
 
 ABOUT = r"""
@@ -15,12 +16,13 @@ MPa, :math:`\nu` = 0.3975, :math:`\rho` = 1000 kg/m\ :sup:`3`, plane strain, sta
 beam, at the tip a hundredth of the speed of sound :math:`\sqrt{K/\rho}`.
 
 The usual comparison is with the thin plate, 0.2540 s. That is not the solution of this problem. Two-dimensional elasticity
-(eigenvalues with biquadratic elements) has 0.2552 s when all displacements at x = 0 are held (*fixed*), and 0.2625 s when the plate
-goes on into a channel of a quarter of its length and is bonded to the walls (*channel*). At this amplitude finite elements have
+(eigenvalues with biquadratic elements) has 0.2552 s when all displacements at x = 0 are held (*fixed*), and 0.2625 s (uncertain by 0.0005 s) when
+the plate goes on into a channel of a quarter of its length and is bonded to the walls (*channel*). At this amplitude finite elements have
 0.25553 s: it plays no part. Nothing is lost in truth.
 
 n spacings are the depth, particles on the faces; the Lagrangian frame has h = 0.8 spacings, as recommended for thin bodies. The
-input is that of *examples/elastic*. The period is the time of the second passage of the tip through its first position.
+input is that of *examples/elastic*. The period is the time of the second passage of the tip through its first position; where there is none within 0.28 s, that is 10
+% too late, its error is given as 1.
 """
 
 FIGURES = [
@@ -68,8 +70,7 @@ def measure(case):
     y = [tip - data["tip_mm"][0] for tip in data["tip_mm"]]
     times = bodies.crossings(data["t_s"], y)
     found = {"tip": max(map(abs, y)), "total": max(abs(e / total[0] - 1) for e in total)}
-    if len(times) > 1:
-        found["period"] = times[1] / exact - 1
+    found["period"] = times[1] / exact - 1 if len(times) > 1 else NONE
     if "elastic_J" in data:
         left = (data["kinetic_J"][-1] + data["elastic_J"][-1]) / data["kinetic_J"][0]
         found["lost"] = (1 - left) / (data["t_s"][-1] / exact)
@@ -121,9 +122,10 @@ def judge(results):
     def periods(group):
         return ", ".join(f"{100 * r.figures['period']:+.2f} % (n = {r.case.n})" for r in group)
 
-    eulerian = [r.figures["period"] for r in results if not r.failed and r.case.method.key.startswith("E-") and "period" in r.figures]
+    others = {r.case.method.key: r.figures["period"] for r in results if not r.failed and r.case.n == 5}
+    eulerian = [off for key, off in others.items() if key.startswith("E-") and off < NONE]
     return (f"With *correct* the period is off by {periods(fixed)} with a fixed face, by {periods(channel)} in the channel. "
             f"{100 * fixed[-1].figures['lost']:.2f} % of the energy is lost in a period with n = {fixed[-1].case.n}, less with order "
             f"{order(fixed, 'lost'):.1f}. " +
-            (f"In the Eulerian frame with n = 5 the plate is too soft, by {100 * min(eulerian):.0f} to {100 * max(eulerian):.0f} % in the "
-             "period where there is one." if eulerian else "In the Eulerian frame there is no period to speak of."))
+            f"With n = 5 the period of smd/tlsph is off by {100 * others['tlsph']:+.1f} %. In the Eulerian frame, and with smd/ulsph, "
+            f"the plate is too soft: {len(eulerian)} of {sum(key[:2] == 'E-' for key in others)} methods swing back within 0.28 s.")
