@@ -13,7 +13,8 @@ the one-dimensional sqrt(2 dx T s2/rho) of the instability of J. W. Swegle, D. L
 Artificial stress (eps, n) makes (1 - eps f^n) dW/dr of dW/dr, f = W(r)/W(d), where d is the spacing without stress.
 
 Viscosity: of a growing pair of columns one side always approaches, so that u'' + beta u' = gamma^2 u with the linear term of eqs 23
-and 24 of Shaw and Reid (2009); `viscosity correct` leaves the share of it that belongs to the nearest neighbours in the other columns."""
+and 24 of Shaw and Reid (2009); `viscosity correct` leaves the share of it that belongs to the nearest neighbours in the
+other columns."""
 
 import math
 

@@ -14,11 +14,11 @@ from charts import OUTPUT, TAYLOR
 from measure import closest, tension    # of examples/elastic
 
 # verdicts, in the order in which they are looked for; the colours and words of the legend are in plot.py
-REFUSED, DISTORTED, UNPHYSICAL, STOPPED, ENERGY, TORN, CLUMPED, OFF, SURVIVED = (
-    "refused", "distorted", "unphysical", "stopped", "energy", "torn", "clumped", "off", "survived")
+REFUSED, DISTORTED, UNPHYSICAL, LEFT, STOPPED, SLOW, ENERGY, TORN, CLUMPED, OFF, SURVIVED = (
+    "refused", "distorted", "unphysical", "left", "stopped", "slow", "energy", "torn", "clumped", "off", "survived")
 
 MESSAGES = (("beyond what this frame can follow", DISTORTED), ("is not physical", UNPHYSICAL), ("time step limit", UNPHYSICAL),
-            ("pair_style sph/solid:", REFUSED))
+            ("pair_style sph/solid:", REFUSED), ("Lost atoms", LEFT))
 
 ENERGY_ERROR = 1e-3     # of the total energy
 CLOSEST = 0.1           # two particles of a rod; the finite elements compress the cells of its foot to 0.15
@@ -106,8 +106,8 @@ def strip(run, data):
     ends = (data["elongation"], data["sxx_Pa"], data["sxx_min_Pa"], data["sxx_max_Pa"])
     uneven = [e for e, mean, low, high in zip(*ends) if e > 0.002 and not high - low <= SPREAD * abs(mean)]
     exact = tension(data["elongation"][-1])
-    return {"reached": data["elongation"][-1] / run.variables["stretch"], "closest": least, "clumped": least < PAIRED * left_by_jitter(run),
-            "number": uneven[0] if uneven else math.nan,
+    return {"reached": data["elongation"][-1] / run.variables["stretch"], "closest": least,
+            "clumped": least < PAIRED * left_by_jitter(run), "number": uneven[0] if uneven else math.nan,
             "off": bool(uneven) or abs(data["sxx_Pa"][-1] / exact - 1) > STRESS}
 
 
@@ -116,8 +116,8 @@ def square(run, data):
     kept = [ke / data["kinetic_J"][0] - 1 for ke in data["kinetic_J"]]
     spin = max(abs(Lz / data["Lz"][0] - 1) for Lz in data["Lz"])
     least = least_distance(run, 20e-3 / run.variables["rows"])
-    return {"reached": data["turns"][-1] / run.variables["turns"], "closest": least, "clumped": least < PAIRED * left_by_jitter(run),
-            "energy": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"]),
+    return {"reached": data["turns"][-1] / run.variables["turns"], "closest": least,
+            "clumped": least < PAIRED * left_by_jitter(run), "energy": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"]),
             "number": kept[-1], "off": max(map(abs, kept)) > TURN or spin > SPIN}
 
 
@@ -127,8 +127,9 @@ def turning(run, data):
     exact = data["exact_Pa"][-1]
     wrong = sum(data["stress_Pa"][half:]) / len(data["stress_Pa"][half:]) / exact - 1
     spin = max(abs(Lz / data["Lz"][0] - 1) for Lz in data["Lz"])
-    least = least_distance(run, 2 * 3.8e-3 / 12)
-    return {"reached": data["turns"][-1] / 0.5, "closest": least, "clumped": least < PAIRED, "number": wrong, "spin": spin,
+    least = least_distance(run, 2 * 3.8e-3 / int(run.variables.get("across", 12)))
+    return {"reached": data["turns"][-1] / float(run.variables.get("turns", 0.5)), "closest": least,
+            "clumped": least < PAIRED, "number": wrong,
             "off": not abs(wrong) <= LOADED or not spin <= SPIN}
 
 
@@ -149,8 +150,8 @@ SCENES = {"rod": rod, "strip": strip, "square": square, "turning": turning, "gro
 def verdict_of(run, end, message):
     if message:
         return stop(message)
-    if end.get("reached", 0.0) < 0.95:
-        return STOPPED
+    if end.get("reached", 0.0) < 0.95:    # all steps used: several times those of an ordinary run
+        return SLOW
     if end.get("energy", 0.0) > ENERGY_ERROR:
         return ENERGY
     if "has lost all its neighbors" in log_of(run):

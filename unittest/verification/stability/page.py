@@ -105,7 +105,8 @@ def write(folder):
     for scene in scenes:
         mine = [dict(line, panel=line["panel"].split()[1]) for line in lines["jitter"] if line["panel"].startswith(scene)]
         values[f"table_jitter_{scene}"] = survival(mine, str)
-    for name in ("ENERGY_ERROR", "CLOSEST", "PAIRED", "FOOT", "LENGTH", "WILKINS", "SPREAD", "STRESS", "SPIN", "TURN", "LOADED", "RATE"):
+    for name in ("ENERGY_ERROR", "CLOSEST", "PAIRED", "FOOT", "LENGTH", "WILKINS", "SPREAD", "STRESS", "SPIN", "TURN",
+                 "LOADED", "RATE"):
         value = getattr(judge, name)
         values[name] = f"{value:g}"
         values[name + "_percent"] = f"{100 * value:g} %"

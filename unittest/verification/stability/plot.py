@@ -27,7 +27,9 @@ LEGEND = {    # verdict: colour, words; the same in every chart
     "energy": ("#aa66aa", "energy not conserved"),
     "distorted": ("#6699cc", "stops: deformation beyond the frame"),
     "unphysical": ("#333333", "stops: state not physical"),
-    "stopped": ("#999999", "stops for another reason"),
+    "left": ("#888888", "stops: fragments left the box"),
+    "slow": ("#bbbbbb", "time step becomes too small"),
+    "stopped": ("#aa7755", "stops for another reason"),
     "refused": ("#ffffff", "not offered"),
 }
 DARK = ("unphysical",)
@@ -44,7 +46,7 @@ def unique(lines, key):
 
 def words_in(line, percent):
     """Number of a cell: in per cent, or nothing where there is none."""
-    if line["verdict"] in ("distorted", "unphysical", "stopped"):
+    if line["verdict"] in ("distorted", "unphysical", "left", "slow", "stopped"):
         return f"{100 * float(line['reached']):.0f}" if line["reached"] else ""
     if line["number"] in ("", "nan"):
         return ""
@@ -77,7 +79,8 @@ def legend(figure, lines, below):
     seen = set(line["verdict"] for line in lines)
     handles = [Patch(facecolor=colour, edgecolor="0.6", hatch="////" if key == "refused" else None, label=words)
                for key, (colour, words) in LEGEND.items() if key in seen]
-    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncol=4, fontsize=8.5, title=below, title_fontsize=8.5)
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncol=4, fontsize=8.5, title=below,
+                  title_fontsize=8.5)
 
 
 def panels(folder, chart, lines, shape, size, titles, below, xlabel, ylabel="", **more):
