@@ -2,6 +2,7 @@
 
 import math
 import pathlib
+import re
 import sys
 
 sys.dont_write_bytecode = True
@@ -147,10 +148,16 @@ def growing(run, data):
 SCENES = {"rod": rod, "strip": strip, "square": square, "turning": turning, "growth": growing}
 
 
+def used_up(run):
+    """All steps used, several times those of an ordinary run, before the end of the time."""
+    done = re.findall(r"Loop time of .* for (\d+) steps", log_of(run))
+    return "steps" in run.variables and bool(done) and int(done[-1]) >= run.variables["steps"]
+
+
 def verdict_of(run, end, message):
     if message:
         return stop(message)
-    if end.get("reached", 0.0) < 0.95:    # all steps used: several times those of an ordinary run
+    if used_up(run):
         return SLOW
     if end.get("energy", 0.0) > ENERGY_ERROR:
         return ENERGY

@@ -77,7 +77,7 @@ def growth_numbers(lines):
     mode2 = [l for l in part["artificial"] if l["row"] == "2"]
     values = {}
     for name, some, exact in (("tension", part["tension"], "exact"), ("viscosity", part["viscosity"], "exact"),
-                              ("h", small, "fastest" ), ("artificial", mode2, "exact")):
+                              ("h", small, "fastest"), ("artificial", mode2, "exact")):
         if name == "h":    # the run shows its own mode, or the fastest
             some = [dict(l, exact=l["exact"] if abs(float(l["number"]) - float(l["exact"])) <
                          abs(float(l["number"]) - float(l["fastest"])) else l["fastest"]) for l in some]
@@ -87,8 +87,8 @@ def growth_numbers(lines):
     values["growth_beyond"] = ", ".join(sorted({l["column"] for l in beyond})) or "none"
     values["growth_beyond_rate"] = f"{max([float(l['number']) for l in beyond] or [0]):.3f}"
     values["artificial_h"] = ranges([l["column"] for l in mode2], [float(l["number"]) > 0 for l in mode2])
-    values["artificial_top"] = f"{max(float(l['number']) for l in mode2):.2f}"
-    values["plain_top"] = f"{max(float(l['number']) for l in part['smoothing'] if l['row'] == 'corrected 2'):.2f}"
+    for name, some in (("with", mode2), ("without", [l for l in part["smoothing"] if l["row"] == "corrected 2"])):
+        values[f"sliding_{name}"] = next(f"{float(l['number']):.3f}" for l in some if l["column"] == "1.3")
     return values
 
 

@@ -50,7 +50,8 @@ def words_in(line, percent):
         return f"{100 * float(line['reached']):.0f}" if line["reached"] else ""
     if line["number"] in ("", "nan"):
         return ""
-    return format(100 * float(line["number"]), percent)
+    text = format(100 * float(line["number"]), percent)
+    return text if float(text) else text.lstrip("+-")
 
 
 def cells(axes, lines, title, xlabel="", ylabel="", percent="+.0f", upwards=False):
@@ -125,7 +126,7 @@ def speed(folder, lines):
 def tension(folder, lines):
     titles = {"eulerian, artificial": "frame eulerian, gradient corrected, tensile artificial 0.3 4"}
     panels(folder, "tension", lines, (2, 2), (10, 5.4), lambda name: titles.get(name) or form_title(name),
-           "number: elongation from which the stress is not uniform, % (of 10 %)", "elongation per second (1/s)", percent=".1f")
+           f"number: elongation from which the stress is not uniform, % (of 10 %); {STOPS}", "elongation per second (1/s)", percent=".1f")
 
 
 def jitter(folder, lines):
@@ -134,8 +135,8 @@ def jitter(folder, lines):
     order = [f"{scene} {form}" for scene in titles for form in charts.FORMS]
     lines = sorted(lines, key=lambda line: order.index(line["panel"]))
     panels(folder, "jitter", lines, (3, 3), (11, 7.8), lambda name: f"{titles[name.split()[0]]}: {what[name.split()[1]]}",
-           f"number, %: foot against finite elements (rod), elongation from which the stress is not uniform (strip), change of the "
-           f"kinetic energy (square)\n{STOPS}", "random displacement in spacings", percent=".1f")
+           f"number, %: foot against finite elements (rod), elongation from which the stress is not uniform (strip), change of "
+           f"the kinetic energy (square)\n{STOPS}", "random displacement in spacings", percent=".1f")
 
 
 def turning(folder, lines):
@@ -148,9 +149,9 @@ def turning(folder, lines):
 COLORS = ("#4477aa", "#ee6677", "#228833", "#aa8800", "#aa3377")
 
 
-def dots(axes, lines, color, label):
+def dots(axes, lines, color, label, size=5):
     x, y = ([float(line[key]) for line in lines] for key in ("column", "number"))
-    axes.plot(x, y, "o", color=color, ms=5, label=label)
+    axes.plot(x, y, "o", color=color, ms=size, label=label)
 
 
 def curve(axes, xs, rate, color, **style):
@@ -178,7 +179,8 @@ def growth_rates(folder, lines):
         for mode, color in zip(growth.MODES, COLORS):
             row = f"corrected {mode}" if panel == "smoothing" else str(mode)
             curve(axes, hs, lambda h: growth.rate(0.02, h, mode, eps=eps), color)
-            dots(axes, part(panel, row), color, f"started: {growth.MODES[mode][0]}")
+            dots(axes, part(panel, row), color, f"started: {growth.MODES[mode][0]}",
+                 size=13 - 3 * mode)
         axes.set(xlabel="h in spacings", title=title, ylim=(-0.01, None))
     top = max(axes.get_ylim()[1] for axes in grid[1])
     for axes in grid.flat:
