@@ -1,7 +1,8 @@
 """What the `run` scripts of the examples share: finding the program, running cases with progress and time left,
 reading CSV and dump files. Needs nothing but Python.
 
-A case is any object with name, script, variables (for -var) and weight (expected run time, relative).
+A case is any object with name, script, variables (for -var) and weight (expected run time, relative). It may have a
+folder of its own to run in, and an output folder for its files.
 Environment: LMP=<program> (default ../../build/lmp), JOBS=<n>: runs at the same time (default: 2 where there are
 two processors), PYTHON=<python3 with numpy and matplotlib> for the pictures."""
 
@@ -38,25 +39,34 @@ def empty(output):
             old.unlink()
 
 
-def simulate(here, lmp, case, output="output"):
-    command = [lmp, "-in", case.script, "-log", f"{output}/{case.name}.log", "-screen", "none"]
+def places(here, case, output):
+    """Folder that a case runs in and folder of its output: its own, where it has them."""
+    return getattr(case, "folder", here), pathlib.Path(getattr(case, "output", here / output))
+
+
+def simulate(here, lmp, case, output="output", quiet=False):
+    folder, out = places(here, case, output)
+    command = [lmp, "-in", case.script, "-log", os.path.relpath(out / f"{case.name}.log", folder), "-screen", "none"]
     elsewhere = {} if str(output) == "output" else {"out": output}    # the default of all inputs
     for name, value in {**case.variables, **elsewhere, "label": case.name}.items():
         command += ["-var", name, str(value)]
-    say("+", shlex.join(command))
+    if not quiet:
+        say("+", shlex.join(command))
     start = time.monotonic()
-    result = subprocess.run(command, cwd=here, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+    result = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                             env={**os.environ, "OMP_NUM_THREADS": "1"})
     return case, result, time.monotonic() - start
 
 
-def simulate_all(here, lmp, cases, output="output"):
-    """Runs the cases; {name: last error message} of those that did not come to their end."""
+def simulate_all(here, lmp, cases, output="output", after=None):
+    """Runs the cases; {name: last error message} of those that did not come to their end. With after, a function of
+    a case and its error message: it is called when a run has ended, and what it returns is shown in one line."""
     workers = int(os.environ.get("JOBS") or min(2, os.cpu_count() or 1))
     total, done, start, failed = sum(case.weight for case in cases), 0.0, time.monotonic(), {}
     say("+ cd", shlex.quote(os.path.relpath(here)))
     with ThreadPoolExecutor(workers) as pool:
-        waiting = {pool.submit(simulate, here, lmp, case, output) for case in sorted(cases, key=lambda c: -c.weight)}
+        waiting = {pool.submit(simulate, here, lmp, case, output, after is not None)
+                   for case in sorted(cases, key=lambda c: -c.weight)}
         count = 0
         while waiting:
             finished, waiting = wait(waiting, return_when=FIRST_COMPLETED)
@@ -64,9 +74,13 @@ def simulate_all(here, lmp, cases, output="output"):
                 case, result, seconds = future.result()
                 count, done = count + 1, done + case.weight
                 left = (time.monotonic() - start) * (total - done) / done
+                if result.returncode:
+                    failed[case.name] = last_error(places(here, case, output)[1] / f"{case.name}.log")
+                if after:
+                    say(f"[{count}/{len(cases)}, {left:.0f} s left] {case.name}: {after(case, failed.get(case.name))}")
+                    continue
                 say(f"[{count}/{len(cases)}] {case.name}: {seconds:.1f} s, about {left:.0f} s left")
                 if result.returncode:
-                    failed[case.name] = last_error(here / output / f"{case.name}.log")
                     say(f"{case.name} ended with status {result.returncode}: {failed[case.name]}", result.stderr)
     return failed
 
