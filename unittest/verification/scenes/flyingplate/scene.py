@@ -30,9 +30,9 @@ they stay in compression for the 5 us.
 
 FIGURES = [
     Figure("ke05", "kinetic energy at 0.5 us", "{:+.2%}"),
-    Figure("ke1", "at 1 us", "{:+.2%}"),
-    Figure("ke2", "at 2 us", "{:+.2%}"),
-    Figure("ke5", "at 5 us", "{:+.2%}"),
+    Figure("ke1", "kinetic energy at 1 us", "{:+.2%}"),
+    Figure("ke2", "kinetic energy at 2 us", "{:+.2%}"),
+    Figure("ke5", "kinetic energy at 5 us", "{:+.2%}"),
     Figure("rear", "way of the rear face", "{:+.2%}"),
     Figure("rear_speed", "its speed (m/s), 6.96 off", "{:+.2f}"),
     Figure("precursor", "place of the precursor (cells off)", "{:+.1f}"),
