@@ -11,19 +11,21 @@ TITLE = "Colliding rubber rings"
 WALL, SPEED = 10e-3, 0.059 * 852.0    # m, m/s
 
 ABOUT = r"""
-Two rings, radii 30 and 40 mm, centres 100 mm apart, meet with :math:`\pm 0.059\, c_0` (plane strain; :math:`\rho` = 1010
-kg/m\ :sup:`3`, :math:`c_0` = 852 m/s, :math:`\mu = 0.22\, \rho c_0^2`, no yielding; constants of the test RubberCylinders of the
-Spheral code). They flatten, and the tension on the inner side of their bends tears particles apart for no physical reason
-(J. W. Swegle, D. L. Hicks, S. W. Attaway, J. Comput. Phys. 116, 123 (1995)); the artificial stress of J. P. Gray, J. J. Monaghan and
-R. P. Swift (Comput. Methods Appl. Mech. Engrg. 190, 6641 (2001)) was made for this scene.
+Two rings, radii 30 and 40 mm, centres 100 mm apart, meet with :math:`\pm 0.059\, c_0` (plane strain; :math:`\rho` =
+1010 kg/m\ :sup:`3`, :math:`c_0` = 852 m/s, :math:`\mu = 0.22\, \rho c_0^2`, no yielding; constants of the test
+RubberCylinders of the Spheral code). They flatten, and the tension on the inner side of their bends tears particles
+apart for no physical reason (J. W. Swegle, D. L. Hicks, S. W. Attaway, J. Comput. Phys. 116, 123 (1995)); the
+artificial stress of J. P. Gray, J. J. Monaghan and R. P. Swift (Comput. Methods Appl. Mech. Engrg. 190, 6641 (2001))
+was made for this scene.
 
-There is no exact solution. Exact are momentum (none) and total energy. The rings must part again, and be whole: *broken* is the
-share of particles that do not hang together with the rest of their ring (distances below 1.6 spacings), *joined* the number of
-pairs of different rings that are that close at the end, 2 ms after the start. Closest approach of the two centres of mass and
-rebound speed (over the first) are compared across resolutions; n particles are the wall of a ring.
+There is no exact solution. Exact are momentum (none) and total energy. The rings must part again, and be whole:
+*broken* is the share of particles that do not hang together with the rest of their ring (distances below 1.6
+spacings), *joined* the number of pairs of different rings that are that close at the end, 2 ms after the start.
+Closest approach of the two centres of mass and rebound speed (over the first) are compared across resolutions; n
+particles are the wall of a ring.
 
-In the Lagrangian frame bodies do not feel each other, so that it cannot run this. All rows have *tensile artificial 0.3 4* but
-those called *bare*.
+In the Lagrangian frame bodies do not feel each other, so that it cannot run this. All rows have *tensile artificial
+0.3 4* but those called *bare*.
 """
 
 FIGURES = [
