@@ -13,25 +13,27 @@ NONE = 1.0                                    # error of a plate that does not s
 THIN = {"h": 0.8}                             # as doc/pair_sph_solid.rst recommends for thin bodies in bending
 
 ABOUT = r"""
-A plate of beryllium, 60 mm x 10 mm, plane strain, free everywhere, begins straight with the velocity of the first bending mode
-of a free beam,
+A plate of beryllium, 60 mm x 10 mm, plane strain, free everywhere, begins straight with the velocity of the first
+bending mode of a free beam,
 
 .. math::
 
    v_y = A \omega \{ g_1 [\sinh s + \sin s] - g_2 [\cosh s + \cos s] \}, \qquad s = \Omega (x + L/2) ,
 
-with :math:`\Omega` = 78.834 1/m, :math:`\omega` = 0.23597 1/us, A = 43.3685 um, :math:`g_1` = 56.637, :math:`g_2` = 57.646 (a benchmark
-of Lagrangian codes; :math:`\Omega L` = 4.7300 is the first root of the free beam). Elastic, :math:`\rho` = 1845 kg/m\ :sup:`3`, C = 7998 m/s,
-:math:`\mu` = 151.9 GPa, hence E = 318.9 GPa and :math:`\nu` = 0.0497.
+with :math:`\Omega` = 78.834 1/m, :math:`\omega` = 0.23597 1/us, A = 43.3685 um, :math:`g_1` = 56.637, :math:`g_2` =
+57.646 (a benchmark of Lagrangian codes; :math:`\Omega L` = 4.7300 is the first root of the free beam). Elastic,
+:math:`\rho` = 1845 kg/m\ :sup:`3`, C = 7998 m/s, :math:`\mu` = 151.9 GPa, hence E = 318.9 GPa and :math:`\nu` =
+0.0497.
 
-The thin beam (26.6 us) is no reference for so thick a plate. Two-dimensional elasticity has the period 28.892 us for small
-amplitudes (eigenvalues with biquadratic elements), to be compared with the *small* rows, where velocities are a hundredth.
-At the amplitude of the benchmark explicit finite elements (10 and 20 through the depth agree to 0.2 %) have zero crossings of the
-centre at 14.956, 29.46, 44.48 and 59.34 us, that is 29.67 us for a mean period, and first extremes of +2.93 and -2.92 mm.
+The thin beam (26.6 us) is no reference for so thick a plate. Two-dimensional elasticity has the period 28.892 us for
+small amplitudes (eigenvalues with biquadratic elements), to be compared with the *small* rows, where velocities are a
+hundredth. At the amplitude of the benchmark explicit finite elements (10 and 20 through the depth agree to 0.2 %)
+have zero crossings of the centre at 14.956, 29.46, 44.48 and 59.34 us, that is 29.67 us for a mean period, and first
+extremes of +2.93 and -2.92 mm.
 
-Nothing is lost in truth. n spacings are the depth, particles on the faces; the Lagrangian frame has h = 0.8 spacings, as
-recommended for thin bodies. The displacement of the centre is taken against the centre of mass. Where it does not pass zero
-four times, errors are given as 1.
+Nothing is lost in truth. n spacings are the depth, particles on the faces; the Lagrangian frame has h = 0.8 spacings,
+as recommended for thin bodies. The displacement of the centre is taken against the centre of mass. Where it does not
+pass zero four times, errors are given as 1.
 """
 
 FIGURES = [

@@ -3,7 +3,7 @@
 import bodies
 import methods
 from catalogue import Figure, case, order, series
-from running import columns, snapshots
+from running import columns
 
 TITLE = "Oscillating plate"
 PERIOD = {"fixed": 0.2552, "channel": 0.2625}    # s
@@ -11,18 +11,18 @@ NONE = 1.0                                       # error of a plate that does no
 THIN = {"h": 0.8}                                # as doc/pair_sph_solid.rst recommends for thin bodies in bending
 
 ABOUT = r"""
-The plate of J. P. Gray, J. J. Monaghan and R. P. Swift (Comput. Methods Appl. Mech. Engrg. 190, 6641 (2001)): 0.2 m x 0.02 m, E = 2
-MPa, :math:`\nu` = 0.3975, :math:`\rho` = 1000 kg/m\ :sup:`3`, plane strain, starts with the velocity of the first mode of a clamped
-beam, at the tip a hundredth of the speed of sound :math:`\sqrt{K/\rho}`.
+The plate of J. P. Gray, J. J. Monaghan and R. P. Swift (Comput. Methods Appl. Mech. Engrg. 190, 6641 (2001)): 0.2 m x
+0.02 m, E = 2 MPa, :math:`\nu` = 0.3975, :math:`\rho` = 1000 kg/m\ :sup:`3`, plane strain, starts with the velocity of
+the first mode of a clamped beam, at the tip a hundredth of the speed of sound :math:`\sqrt{K/\rho}`.
 
-The usual comparison is with the thin plate, 0.2540 s. That is not the solution of this problem. Two-dimensional elasticity
-(eigenvalues with biquadratic elements) has 0.2552 s when all displacements at x = 0 are held (*fixed*), and 0.2625 s (uncertain by 0.0005 s) when
-the plate goes on into a channel of a quarter of its length and is bonded to the walls (*channel*). At this amplitude finite elements have
-0.25553 s: it plays no part. Nothing is lost in truth.
+The usual comparison is with the thin plate, 0.2540 s. That is not the solution of this problem. Two-dimensional
+elasticity (eigenvalues with biquadratic elements) has 0.2552 s when all displacements at x = 0 are held (*fixed*),
+and 0.2625 s (uncertain by 0.0005 s) when the plate goes on into a channel of a quarter of its length and is bonded to
+the walls (*channel*). At this amplitude finite elements have 0.25553 s: it plays no part. Nothing is lost in truth.
 
-n spacings are the depth, particles on the faces; the Lagrangian frame has h = 0.8 spacings, as recommended for thin bodies. The
-input is that of *examples/elastic*. The period is the time of the second passage of the tip through its first position; where there is none within 0.28 s, that is 10
-% too late, its error is given as 1.
+n spacings are the depth, particles on the faces; the Lagrangian frame has h = 0.8 spacings, as recommended for thin
+bodies. The input is that of *examples/elastic*. The period is the time of the second passage of the tip through its
+first position; where there is none within 0.28 s, that is 10 % too late, its error is given as 1.
 """
 
 FIGURES = [
@@ -89,7 +89,8 @@ def gates(case):
 
 
 def misses(case):
-    return {"period": "the kernel of the Eulerian frame smooths strain through the depth"} if case.method.frame == "eulerian" else {}
+    cause = "the kernel of the Eulerian frame smooths strain through the depth"
+    return {"period": cause} if case.method.frame == "eulerian" else {}
 
 
 def draw(results, file):
@@ -97,7 +98,8 @@ def draw(results, file):
     figure, (left, right) = pictures.axes(2)
     for each in (r for r in bodies.main_series(results) if r.case.n == 5):
         data, method = columns(each.case.csv), each.case.method
-        left.plot(data["t_s"], [y - data["tip_mm"][0] for y in data["tip_mm"]], label=pictures.label(method), **pictures.look(method))
+        left.plot(data["t_s"], [y - data["tip_mm"][0] for y in data["tip_mm"]], label=pictures.label(method),
+                  **pictures.look(method))
     for k in (1, 2):
         left.axvline(k * PERIOD["fixed"] / 2, color="k", lw=0.7)
     left.set(xlabel="time (s)", ylabel="tip (mm)", title="fixed, n = 5; black: exact zero crossings")

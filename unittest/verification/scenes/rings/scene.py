@@ -11,19 +11,21 @@ TITLE = "Colliding rubber rings"
 WALL, SPEED = 10e-3, 0.059 * 852.0    # m, m/s
 
 ABOUT = r"""
-Two rings, radii 30 and 40 mm, centres 100 mm apart, meet with :math:`\pm 0.059\, c_0` (plane strain; :math:`\rho` = 1010
-kg/m\ :sup:`3`, :math:`c_0` = 852 m/s, :math:`\mu = 0.22\, \rho c_0^2`, no yielding; constants of the test RubberCylinders of the
-Spheral code). They flatten, and the tension on the inner side of their bends tears particles apart for no physical reason
-(J. W. Swegle, D. L. Hicks, S. W. Attaway, J. Comput. Phys. 116, 123 (1995)); the artificial stress of J. P. Gray, J. J. Monaghan and
-R. P. Swift (Comput. Methods Appl. Mech. Engrg. 190, 6641 (2001)) was made for this scene.
+Two rings, radii 30 and 40 mm, centres 100 mm apart, meet with :math:`\pm 0.059\, c_0` (plane strain; :math:`\rho` =
+1010 kg/m\ :sup:`3`, :math:`c_0` = 852 m/s, :math:`\mu = 0.22\, \rho c_0^2`, no yielding; constants of the test
+RubberCylinders of the Spheral code). They flatten, and the tension on the inner side of their bends tears particles
+apart for no physical reason (J. W. Swegle, D. L. Hicks, S. W. Attaway, J. Comput. Phys. 116, 123 (1995)); the
+artificial stress of J. P. Gray, J. J. Monaghan and R. P. Swift (Comput. Methods Appl. Mech. Engrg. 190, 6641 (2001))
+was made for this scene.
 
-There is no exact solution. Exact are momentum (none) and total energy. The rings must part again, and be whole: *broken* is the
-share of particles that do not hang together with the rest of their ring (distances below 1.6 spacings), *joined* the number of
-pairs of different rings that are that close at the end, 2 ms after the start. Closest approach of the two centres of mass and
-rebound speed (over the first) are compared across resolutions; n particles are the wall of a ring.
+There is no exact solution. Exact are momentum (none) and total energy. The rings must part again, and be whole:
+*broken* is the share of particles that do not hang together with the rest of their ring (distances below 1.6
+spacings), *joined* the number of pairs of different rings that are that close at the end, 2 ms after the start.
+Closest approach of the two centres of mass and rebound speed (over the first) are compared across resolutions; n
+particles are the wall of a ring.
 
-In the Lagrangian frame bodies do not feel each other, so that it cannot run this. All rows have *tensile artificial 0.3 4* but
-those called *bare*.
+In the Lagrangian frame bodies do not feel each other, so that it cannot run this. All rows have *tensile artificial
+0.3 4* but those called *bare*.
 """
 
 FIGURES = [
@@ -31,12 +33,12 @@ FIGURES = [
     Figure("joined", "joined", "{:.0f}"),
     Figure("nearest", "closest approach (mm)", "{:.1f}"),
     Figure("rebound", "rebound speed", "{:+.3f}"),
-    Figure("heat", "viscous heat", "{:.3f}"),
+    Figure("heat", "viscous heat, over the first kinetic energy", "{:.3f}"),
     Figure("pair", "closest pair, in spacings", "{:.2f}"),
     Figure("momentum", "momentum", "{:.0e}"),
     Figure("total", "drift of the total energy", "{:.0e}"),
 ]
-TARGETS = {"broken": 1e-9, "joined": 0.5, "momentum": 1e-12, "total": 1e-9}
+TARGETS = {"broken": 1e-9, "joined": 0.5, "heat": 1.0, "momentum": 1e-12, "total": 1e-9}
 HEADLINE = "E-correct"
 STRESS = "artificial 0.3 4"
 
@@ -48,7 +50,13 @@ def cases(level):
             continue
         for n in sizes(method, level):
             found += both(method, n) if not method.stock else [case("rings", method, n, weight=cost(method, n))]
+    for each in found:
+        each.may_fail = FAILS.get(each.method.key, "") if each.n > 4 or each.method.key == "E-none" else ""
     return found
+
+
+FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
+         "ulsph": "the rings are torn apart, and particles leave the box"}
 
 
 def sizes(method, level):
@@ -96,18 +104,21 @@ def measure(case):
 
 def gates(case):
     exact = {"momentum": 1e-12, "total": 1e-2 if case.method.stock else 1e-12}
-    return {**exact, "broken": 1e-9, "joined": 0.5}
+    return {**exact, "broken": 1e-9, "joined": 0.5, **({} if case.method.stock else {"heat": 1.0})}
 
 
 def misses(case):
     torn = "without artificial stress particles in tension pair up, and the rings tear"
-    return {"broken": torn} if case.variables.get("tensile") == "none" else {}
+    if case.variables.get("tensile") == "none":
+        return {"broken": torn, "joined": torn}
+    pumped = "particles pair up all the same; artificial stress drives them, and what it drives becomes heat"
+    return {"heat": pumped} if case.method.key == "E-correct" and case.n >= 8 else {}
 
 
 def draw(results, file):
     import pictures
     from matplotlib.colors import Normalize
-    figure, grid = pictures.plt.subplots(2, 4, figsize=(11, 5.2), layout="constrained", sharex=True, sharey=True)
+    figure, grid = pictures.plt.subplots(2, 4, figsize=(11, 4.4), layout="constrained", sharex=True, sharey=True)
     for row, name in zip(grid, ("E-correct-4", "E-correct-bare-4")):
         shown = next(r.case for r in results if r.case.name == name)
         shots = snapshots(shown.dump)
@@ -131,4 +142,9 @@ def judge(results):
     return (f"With artificial stress {len(whole)} of {len(stressed)} methods part whole on every lattice; without it the rings lose "
             f"{100 * min(bare):.0f} to {100 * max(bare):.0f} % of their particles. With *correct* closest approach is " +
             ", ".join(f"{r.figures['nearest']:.1f} mm (n = {r.case.n})" for r in first) + ", rebound speed " +
-            ", ".join(f"{r.figures['rebound']:.2f}" for r in first) + ".")
+            ", ".join(f"{r.figures['rebound']:.2f}" for r in first) + ", viscous heat " +
+            ", ".join(f"{r.figures['heat']:.2f}" for r in first) + " of the kinetic energy: where it is more than a third, "
+            f"particles have paired up (closest pair {min(r.figures['pair'] for r in first):.2f} spacings) and artificial stress "
+            f"drives them, so that finer is worse. *monaghan 1 1*: " +
+            ", ".join(f"{r.figures['heat']:.2f}" for r in runs["E-monaghan1"]) + ", rebound speed " +
+            ", ".join(f"{r.figures['rebound']:.2f}" for r in runs["E-monaghan1"]) + ".")

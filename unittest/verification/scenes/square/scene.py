@@ -13,14 +13,15 @@ INERTIA = DENSITY * OMEGA * SIDE**4 / 6    # 9166.7 kg m^2/s
 
 ABOUT = r"""
 A square of rubber, side a = 1 m, :math:`\rho` = 1100 kg/m\ :sup:`3`, E = 17 MPa, :math:`\nu` = 0.45, plane strain,
-begins to spin at once with :math:`\omega` = 50 rad/s, free of forces (a test of the SPHinXsys library, there with 20 x 20
-particles). Centrifugal forces stretch it by some percent, and it vibrates.
+begins to spin at once with :math:`\omega` = 50 rad/s, free of forces (a test of the SPHinXsys library, there with 20
+x 20 particles). Centrifugal forces stretch it by some percent, and it vibrates.
 
 Exact for ever: no momentum, :math:`L_z = \rho\, \omega\, a^4/6` = 9166.7 kg m\ :sup:`2`/s per metre, and kinetic plus
-elastic energy. Particles in the middle of n x n cells have :math:`L_z (1 - 1/n^2)`: the moment of inertia of a cell about its own
-middle is missing. What artificial viscosity and hourglass damping turn into heat is lost; it is given per turn. Most of
-it belongs to the vibration: kinetic energy as a mean over the last half turn, against that over the first, tells
-whether the rotation lives. The distance of the two closest particles tells whether the body is still one.
+elastic energy. Particles in the middle of n x n cells have :math:`L_z (1 - 1/n^2)`: the moment of inertia of a cell
+about its own middle is missing. What artificial viscosity and hourglass damping turn into heat is lost; it is given
+per turn. Most of it belongs to the vibration: kinetic energy as a mean over the last half turn, against that over the
+first, tells whether the rotation lives. The distance of the two closest particles tells whether the body is still
+one.
 
 Stresses are compared elsewhere: *disc* has the exact ones of a body that spins, the test *verification.Rotation* and
 *examples/elastic* those of a stress that turns with its body.
@@ -158,4 +159,5 @@ def judge(results):
             f"{100 * first['lost']:.2f} % of the energy in a turn ({100 * finest[-1].figures['lost']:.2f} % with n = "
             f"{finest[-1].case.n}), and that is vibration. In the Eulerian frame particles in tension "
             f"pair up, the sooner the finer the lattice: with corrected gradients kinetic energy changes by up to "
-            f"{100 * max(abs(got[k]['kinetic']) for k in got if k.startswith('E-')):.0f} %. Plain gradients lose {-100 * max(plain):.0f} to {-100 * min(plain):.0f} % of it in {TURNS} turns.")
+            f"{100 * max(abs(got[k]['kinetic']) for k in got if k.startswith('E-')):.0f} %. Plain gradients "
+            f"lose {-100 * max(plain):.0f} to {-100 * min(plain):.0f} % of it in {TURNS} turns.")

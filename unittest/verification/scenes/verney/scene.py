@@ -12,27 +12,27 @@ SPEEDS = {"417.08": 50.07, "490.30": 40.06}    # u0 in m/s: inner radius in mm a
 IDEAL = {"417.08": 50.0, "490.30": 40.0}
 
 ABOUT = r"""
-A thick cylinder of beryllium, inner radius :math:`R_0` = 80 mm, outer radius :math:`R_1` = 100 mm, plane strain, begins to move
-inwards with :math:`v_r = -u_0 R_0/r` and stops when its kinetic energy has become plastic work. For an incompressible,
-rigid, perfectly plastic material this is at the inner radius a with (Verney; the integral of the plastic work is
-elementary in the radius and was evaluated twice, independently)
+A thick cylinder of beryllium, inner radius :math:`R_0` = 80 mm, outer radius :math:`R_1` = 100 mm, plane strain,
+begins to move inwards with :math:`v_r = -u_0 R_0/r` and stops when its kinetic energy has become plastic work. For an
+incompressible, rigid, perfectly plastic material this is at the inner radius a with (Verney; the integral of the
+plastic work is elementary in the radius and was evaluated twice, independently)
 
 .. math::
 
    u_0^2 = \frac{2 Y}{\sqrt{3} \rho \ln(R_1/R_0)} \int_{a/R_0}^{1} x \ln\left( 1 + \frac{\alpha (2 + \alpha)}{x^2} \right) dx ,
    \qquad \alpha = \frac{R_1}{R_0} - 1 .
 
-With :math:`\rho` = 1845 kg/m\ :sup:`3` and Y = 330 MPa (constants of the tests of the Spheral code), :math:`u_0` = 417.08 and
-490.30 m/s stop at a = 50 and 40 mm. Beryllium is neither rigid nor incompressible: with :math:`\mu` = 151.9 GPa and the
-Mie-Grueneisen equation of state (C = 7998 m/s, S = 1.124, :math:`\Gamma` = 1.11), explicit Lagrangian finite elements (bilinear
-quadrilaterals with constant pressure, 20 through the wall) have 50.07 and 40.06 mm after 150 us, less than 7e-4 of the
-kinetic energy left (the wall vibrates on), and 1e-4 of it in viscous heat. This is the reference here; its last digit is 2e-4
-of the radius, so that smaller errors mean nothing.
+With :math:`\rho` = 1845 kg/m\ :sup:`3` and Y = 330 MPa (constants of the tests of the Spheral code), :math:`u_0` =
+417.08 and 490.30 m/s stop at a = 50 and 40 mm. Beryllium is neither rigid nor incompressible: with :math:`\mu` =
+151.9 GPa and the Mie-Grueneisen equation of state (C = 7998 m/s, S = 1.124, :math:`\Gamma` = 1.11), explicit
+Lagrangian finite elements (bilinear quadrilaterals with constant pressure, 20 through the wall) have 50.07 and 40.06
+mm after 150 us, less than 7e-4 of the kinetic energy left (the wall vibrates on), and 1e-4 of it in viscous heat.
+This is the reference here; its last digit is 2e-4 of the radius, so that smaller errors mean nothing.
 
-A quarter with two mirror planes and a polar lattice: n spacings through the wall, particles on both faces. The lattice is the
-same at every angle, so that the cylinder stays circular if the mirror planes are exact; *circularity* is the spread of
-the inner radius over its mean. The *fast* row is the second speed. The *square* row has a square lattice instead, so that the
-faces are staircases.
+A quarter with two mirror planes and a polar lattice: n spacings through the wall, particles on both faces. The
+lattice is the same at every angle, so that the cylinder stays circular if the mirror planes are exact; *circularity*
+is the spread of the inner radius over its mean. The *fast* row is the second speed. The *square* row has a square
+lattice instead, so that the faces are staircases.
 """
 
 FIGURES = [
