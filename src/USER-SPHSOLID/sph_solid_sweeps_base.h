@@ -186,6 +186,7 @@ template <int D> class SweepsBase : public Sweeps {
 
   Four own_switch(const Tensor<D, Four> &L, Four c, Four h) const;
   template <class Along> void sum_switch(const NeighborRows &, int at_rate, Along along);
+  virtual double switch_weight(int j) const = 0;    // times pairs.factor
 };
 
 /* ----------------------------------------------------------------------
@@ -458,18 +459,19 @@ void SweepsBase<D>::sum_switch(const NeighborRows &list, int at_rate, Along alon
     Four rest2 = 0.0, linear2 = 0.0;
     for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
       Motion<D> d[LANES];
-      Four l_i[LANES], l_j[LANES], r2, vr;
+      Four l_i[LANES], l_j[LANES], weight = 0.0, r2, vr;
       for (int m = 0; m < LANES; m++) {
         const int j = pairs.j[k + m];
         d[m] = own - Motion<D>(kin(j));
         const Several<D> X = along(k + m, d[m]);
         l_i[m] = d[m].expanded_x() * times(rate, X);
         l_j[m] = d[m].expanded_x() * times(load_tensor<D>(str(j) + at_rate), X);
+        weight.set(m, -switch_weight(j) * pairs.factor[k + m]);
       }
       Motion<D>::dots(d, r2, vr);
       const Four li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
       const Four lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
-      const Four rest = vr - 0.5 * (li + lj), w = -load(&pairs.factor[k]) / (r2 + least);
+      const Four rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
       rest2 += w * rest * rest;
       linear2 += 0.5 * w * (li * li + lj * lj);
     }

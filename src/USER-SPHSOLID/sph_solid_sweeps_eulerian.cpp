@@ -41,6 +41,7 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   using typename Base::Str;
 
   double own_weight(int i) const override { return kin(i)[Kin::MASS]; }
+  double switch_weight(int j) const override { return kin(j)[Kin::VOLUME]; }
   double weight_volume(const Particles &p, int i) const override
   {
     return p.mass[i] / p.rho_weight[i];

@@ -84,6 +84,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
 
   bool constant_weights() const override { return true; }
   double own_weight(int i) const override { return kin(i)[Kin::VOLUME]; }
+  double switch_weight(int) const override { return 1.0; }    // the factor has V0_j
   double step_factor(int i) const override;
   double weight_volume(const Particles &p, int i) const override { return p.vref[i]; }
 
