@@ -32,7 +32,7 @@ WALLS = ("contact", "symmetry")
 SMOOTHING = (1.3, 1.5)          # of the Eulerian runs
 SMOOTHING_LAGRANGIAN = (1.0, 1.3)
 LATTICES = {1: "21 x 67", 2: "41 x 133", 3: "61 x 199", 4: "81 x 265"}
-SPEEDS = (100, 200, 300, 400, 500, 600)
+SPEEDS = (100, 150, 200, 300, 400, 500, 600)
 VISCOSITIES = {                 # name of the files, title, viscosity
     "none": ("no viscosity", "none"),
     "0.2": ("(0.2, 0.2)", "monaghan 0.2 0.2"),
@@ -61,7 +61,7 @@ def stock(name, title, **variables):
 def name_of(key, wall="contact", h=1.0, frame="lagrangian", refine=1):
     """Of a Lagrangian run, or of one of the refinement study."""
     if refine > 1:
-        return f"refine-{frame}-{refine}x-{key}"
+        return f"refine-{frame}-{refine}x-{key}" + ("" if wall == "contact" else f"-{wall}")
     return f"lagrangian-{wall}-h{h}-{key}" if frame == "lagrangian" else f"{wall}-h{h}-corrected-{key}"
 
 
@@ -77,11 +77,11 @@ def lagrangian(key, wall, h, **more):
 H = {"lagrangian": 1.0, "eulerian": 1.5}    # of these two studies
 
 
-def finer(key, frame, refine, **more):
+def finer(key, frame, refine, wall="contact", **more):
     title, viscosity = VISCOSITIES[key]
-    return Case(name_of(key, "contact", H[frame], frame, refine), title, "refine", "finer lattices", "contact", H[frame],
-                {"frame": frame, "viscosity": viscosity, "h": H[frame], "refine": refine}, frame=frame, refine=refine,
-                weight=1.2 * refine ** 3, **more)
+    return Case(name_of(key, wall, H[frame], frame, refine), title, "refine", "finer lattices", wall, H[frame],
+                {"frame": frame, "viscosity": viscosity, "h": H[frame], "refine": refine, "wall": wall}, frame=frame,
+                refine=refine, weight=1.2 * refine ** 3, **more)
 
 
 def fast(speed):
@@ -108,10 +108,16 @@ def all_cases():
     yield stock("ulsph-1.0", "Q1 = 1", viscosity=1.0)
     yield stock("ulsph-0.3", "Q1 = 0.3", viscosity=0.3)
     yield finer("correct", "lagrangian", 2, gates="lagrangian 2x")
-    yield finer("0.5", "lagrangian", 2)
-    yield finer("correct", "eulerian", 2)
-    yield finer("0.5", "eulerian", 2)
-    yield finer("correct", "lagrangian", 3)
+    for key in ("none", "limited", "0.5", "1.0"):
+        yield finer(key, "lagrangian", 2)
+    for refine in (3, 4):
+        yield finer("correct", "lagrangian", refine)
+    for key in ("correct", "0.5"):
+        yield finer(key, "lagrangian", 2, "symmetry")
+    for key in ("correct", "0.5"):
+        yield finer(key, "eulerian", 2)
+    yield finer("correct", "eulerian", 3)
+    yield finer("correct", "eulerian", 2, "symmetry")
     for speed in SPEEDS:
         yield fast(speed)
 

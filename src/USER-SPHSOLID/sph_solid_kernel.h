@@ -9,6 +9,8 @@
 #ifndef LMP_SPH_SOLID_KERNEL_H
 #define LMP_SPH_SOLID_KERNEL_H
 
+#include "sph_solid_vector.h"
+
 namespace SPHSolid {
 
 static constexpr double PI_SPH = 3.14159265358979323846;
@@ -22,29 +24,35 @@ template <int D> struct CubicSpline {
   // alpha_D h^D: 10/(7 pi) in 2d, 1/pi in 3d
   static constexpr double NORM = (D == 2) ? 10.0 / (7.0 * PI_SPH) : 1.0 / PI_SPH;
 
-  // hinv^D
-  static inline double power(double hinv) { return (D == 2) ? hinv * hinv : hinv * hinv * hinv; }
+  // Real: a number, or a vector of them
 
-  static inline double w(double r, double h)
+  // hinv^D
+  template <class Real> static inline Real power(Real hinv)
   {
-    const double hinv = 1.0 / h;
-    const double q = r * hinv;
-    const double s = q < 2.0 ? 2.0 - q : 0.0;
-    const double t = q < 1.0 ? 1.0 - q : 0.0;
+    return (D == 2) ? hinv * hinv : hinv * hinv * hinv;
+  }
+
+  template <class Real> static inline Real w(Real r, Real h)
+  {
+    const Real hinv = 1.0 / h;
+    const Real q = r * hinv;
+    const Real s = maximum(2.0 - q, Real(0.0));
+    const Real t = maximum(1.0 - q, Real(0.0));
     // (2-q)^3/4 - (1-q)^3 is eq. 22 with both branches in one line
     return NORM * power(hinv) * (0.25 * s * s * s - t * t * t);
   }
 
   // F = (dW/dr)/r, negative inside the support
-  static inline double gradient_factor(double r, double h)
+
+  template <class Real> static inline Real gradient_factor(Real r, Real h)
   {
-    const double hinv = 1.0 / h;
-    const double q = r * hinv;
-    const double inner = -3.0 + 2.25 * q;
-    const double s = 2.0 - q;
-    const double outer = -0.75 * s * s / (q > 1.0 ? q : 1.0);
-    const double f = q < 1.0 ? inner : outer;
-    return NORM * power(hinv) * hinv * hinv * (q < 2.0 ? f : 0.0);
+    // one division for 1/h and, outside q = 1, for 1/q
+    const Real far = maximum(r, h), inverse = 1.0 / (h * far);
+    const Real hinv = inverse * far, q = r * hinv, s = 2.0 - q;
+    const Real inner = -3.0 + 2.25 * q;
+    const Real outer = -0.75 * s * s * (h * h * inverse);
+    const Real f = where_positive(1.0 - q, inner, outer);
+    return NORM * power(hinv) * hinv * hinv * where_positive(s, f, Real(0.0));
   }
 };
 

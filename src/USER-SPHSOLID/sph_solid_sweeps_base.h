@@ -116,7 +116,11 @@ template <int D> class SweepsBase : public Sweeps {
   void size_rows(const Particles &, const NeighborRows &);
   void find_image_candidates(const Particles &, const NeighborRows &, double **x, double reach);
   void mirror_vectors(double *rows, int stride) const;
-  double wbar_mass(int i, int j, double r) const;
+  // m_j Wbar_ij; near: supports of Wbar of both, whose mean is that of the pair
+  template <class Real> static Real wbar_mass(Real r, Real mass, Real near_i, Real near_j)
+  {
+    return mass * CubicSpline<D>::w(r, Real(0.25 * (near_i + near_j)));
+  }
   double retained_viscosity() const;
 
   // four own particles at a time; at the end of a list the last one fills up
@@ -488,14 +492,6 @@ template <int D> void SweepsBase<D>::mirror_switch()
 /* ----------------------------------------------------------------------
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
-
-// m_j Wbar_ij, the support of Wbar being the mean of both
-
-template <int D> double SweepsBase<D>::wbar_mass(int i, int j, double r) const
-{
-  const double hbar = 0.25 * (kin(i)[Kin::NEAR] + kin(j)[Kin::NEAR]);
-  return kin(j)[Kin::MASS] * CubicSpline<D>::w(r, hbar);
-}
 
 template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
 {

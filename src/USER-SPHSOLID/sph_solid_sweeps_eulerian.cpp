@@ -34,8 +34,8 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   using Base = SweepsBase<D>;
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
       Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_force,
-      Base::near_weight,      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::separation,
-      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass,
+      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
+      Base::separation, Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR,
       Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
@@ -55,13 +55,13 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
 
   // of four particles
   struct Sums {
-    Tensor<D, Four> moment, velocity;    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
-    Four nsum = 0.0;                     // sum m_j Wbar
+    Several<D> moment[LANES], velocity[LANES];    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
+    Four nsum = 0.0;                              // sum m_j Wbar
   };
   struct Scratch;
-  int gather(int i, int n, const int *list, int offset, Scratch &);
-  void accumulate(int i, Scratch &, int n, Sums &, int lane) const;
-  void sum_row(int i, const NeighborRows &, Scratch &, Sums &, int lane);
+  void gather(int i, int n, const int *list, Scratch &) const;
+  void find_pairs(int i, const NeighborRows &, Scratch &);
+  void accumulate(int i, Sums &, int lane);
   int update(const Particles &, const typename Base::Batch &, const Sums &, double dt);
   Tensor<D, Four> tension_stress(const Tensor<D, Four> &) const;
   int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
@@ -87,32 +87,25 @@ void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &li
    gradient sweep
 ------------------------------------------------------------------------- */
 
-// neighbors inside the kernel, component by component, nearest ones first
+// neighbors inside the kernel: the nearest ones and the others
 
 template <int D> struct EulerianSweeps<D>::Scratch {
-  std::vector<int> j, far_j;
-  std::vector<double> d[D], dv[D], vol, h, factor;
-  int nnear = 0;
+  std::vector<int> near, far;
+  int nnear = 0, nfar = 0;
 
   void reserve(std::size_t n)
   {
-    if (j.size() >= n) return;
-    j.resize(n);
-    far_j.resize(n);
-    for (int a = 0; a < D; a++) {
-      d[a].resize(n);
-      dv[a].resize(n);
+    if (near.size() < n) {
+      near.resize(n);
+      far.resize(n);
     }
-    vol.resize(n);
-    h.resize(n);
-    factor.resize(n);
+    nnear = nfar = 0;
   }
 };
 
-// append those of a candidate list that are inside the kernel: near ones to
-// j (from the front), others to far_j; returns how many far ones there are
+// append those of a candidate list that are inside the kernel
 
-template <int D> int EulerianSweeps<D>::gather(int i, int n, const int *list, int nfar, Scratch &s)
+template <int D> void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
 {
   const double *ri = kin(i);
   for (int jj = 0; jj < n; jj++) {
@@ -127,102 +120,78 @@ template <int D> int EulerianSweeps<D>::gather(int i, int n, const int *list, in
     const double near = 0.5 * (ri[Kin::NEAR] + rj[Kin::NEAR]);
     if (j >= this->nparticles && r2 < COINCIDE * COINCIDE * reach * reach) continue;    // itself
     if (r2 < near * near)
-      s.j[s.nnear++] = j;
+      s.near[s.nnear++] = j;
     else if (r2 < reach * reach)
-      s.far_j[nfar++] = j;
+      s.far[s.nfar++] = j;
   }
-  return nfar;
 }
 
-template <int D>
-void EulerianSweeps<D>::accumulate(int i, Scratch &s, int n, Sums &sums, int lane) const
-{
-  const double *ri = kin(i);
-  for (int k = 0; k < n; k++) {
-    const double *rj = kin(s.j[k]);
-    for (int a = 0; a < D; a++) {
-      s.d[a][k] = rj[Kin::X + a] - ri[Kin::X + a];
-      s.dv[a][k] = rj[Kin::V + a] - ri[Kin::V + a];
-    }
-    s.vol[k] = rj[Kin::VOLUME];
-    s.h[k] = 0.5 * (ri[Kin::H] + rj[Kin::H]);
-  }
+// the pairs of one particle, nearest ones first
 
-  const double *dx = s.d[0].data(), *dy = s.d[1].data(), *dz = s.d[D - 1].data();
-  const double *ux = s.dv[0].data(), *uy = s.dv[1].data(), *uz = s.dv[D - 1].data();
-  const double *vol = s.vol.data(), *h = s.h.data();
-  double *factor = s.factor.data();
-  double mxx = 0, mxy = 0, mxz = 0, myy = 0, myz = 0, mzz = 0;
-  double lxx = 0, lxy = 0, lxz = 0, lyx = 0, lyy = 0, lyz = 0, lzx = 0, lzy = 0, lzz = 0;
-
-  // grad_i W = F (x_i - x_j) = -F d: both sums of positive definite sign are -V F
-#pragma omp simd reduction(+ : mxx, mxy, mxz, myy, myz, mzz, lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz)
-  for (int k = 0; k < n; k++) {
-    double r2 = dx[k] * dx[k] + dy[k] * dy[k];
-    if (D == 3) r2 += dz[k] * dz[k];
-    const double F = CubicSpline<D>::gradient_factor(std::sqrt(r2), h[k]);
-    factor[k] = F;
-    const double w = -vol[k] * F;
-    const double gx = w * dx[k], gy = w * dy[k];
-    mxx += gx * dx[k];
-    mxy += gx * dy[k];
-    myy += gy * dy[k];
-    lxx += gx * ux[k];
-    lxy += gy * ux[k];
-    lyx += gx * uy[k];
-    lyy += gy * uy[k];
-    if (D == 3) {
-      const double gz = w * dz[k];
-      mxz += gx * dz[k];
-      myz += gy * dz[k];
-      mzz += gz * dz[k];
-      lxz += gz * ux[k];
-      lyz += gz * uy[k];
-      lzx += gx * uz[k];
-      lzy += gy * uz[k];
-      lzz += gz * uz[k];
-    }
-  }
-
-  const double moment[3][3] = {{mxx, mxy, mxz}, {mxy, myy, myz}, {mxz, myz, mzz}};
-  const double velocity[3][3] = {{lxx, lxy, lxz}, {lyx, lyy, lyz}, {lzx, lzy, lzz}};
-  for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++) {
-      sums.moment(a, b).set(lane, moment[a][b]);
-      sums.velocity(a, b).set(lane, velocity[a][b]);
-    }
-}
-
-// pairs and sums of one particle
-
-template <int D>
-void EulerianSweeps<D>::sum_row(int i, const NeighborRows &list, Scratch &s, Sums &sums, int lane)
+template <int D> void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
 {
   const int start = pairs.first[i];
   s.reserve(pairs.first[i + 1] - start);
-  s.nnear = 0;
-  int nfar = gather(i, list.numneigh[i], list.firstneigh[i], 0, s);
-  if (images.any())
-    nfar = gather(i, image_first[i + 1] - image_first[i], &image_j[image_first[i]], nfar, s);
-  const int n = s.nnear + nfar;
-  std::copy(s.far_j.begin(), s.far_j.begin() + nfar, s.j.begin() + s.nnear);
-  accumulate(i, s, n, sums, lane);
+  gather(i, list.numneigh[i], list.firstneigh[i], s);
+  if (images.any()) gather(i, image_first[i + 1] - image_first[i], &image_j[image_first[i]], s);
 
-  double nsum = 0.0;
-  pairs.nearest[i] = needs_correction() ? s.nnear : 0;
-  for (int k = 0; k < pairs.nearest[i]; k++) {
-    near_weight[start + k] = wbar_mass(i, s.j[k], separation(i, s.j[k]).norm());
-    nsum += near_weight[start + k];
-  }
-  sums.nsum.set(lane, nsum);
-
-  std::copy(s.j.begin(), s.j.begin() + n, pairs.j.begin() + start);
-  std::copy(s.factor.begin(), s.factor.begin() + n, pairs.factor.begin() + start);
-  for (int k = n; k < whole_vectors(n); k++) {    // the last one again, without weight
-    pairs.j[start + k] = s.j[n - 1];
-    pairs.factor[start + k] = 0.0;
-  }
+  const int n = s.nnear + s.nfar;
+  const auto row = pairs.j.begin() + start;
+  std::copy(s.near.begin(), s.near.begin() + s.nnear, row);
+  std::copy(s.far.begin(), s.far.begin() + s.nfar, row + s.nnear);
+  if (n > 0) std::fill(row + n, row + whole_vectors(n), row[n - 1]);    // without weight, below
   pairs.count[i] = n;
+  pairs.nearest[i] = needs_correction() ? s.nnear : 0;
+}
+
+// 1 in the lanes that are less than n
+
+inline Four first_lanes(int n)
+{
+  return Four(n > 0 ? 1.0 : 0.0, n > 1 ? 1.0 : 0.0, n > 2 ? 1.0 : 0.0, n > 3 ? 1.0 : 0.0);
+}
+
+// sums over the pairs of one particle; grad_i W = F (x_i - x_j)
+
+template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
+{
+  const double *kall = krow.data(), *ki = kin(i);
+  const Motion<D> own(ki);
+  const int start = pairs.first[i];
+  Several<D> moment = Several<D>::zero(), velocity = moment;
+  Four nsum = 0.0;
+
+  for (int k = 0; k < pairs.count[i]; k += LANES) {
+    Motion<D> d[LANES];
+    Four inertia[LANES];
+    for (int m = 0; m < LANES; m++) {
+      const double *kj = kall + static_cast<std::int64_t>(pairs.j[start + k + m]) * Kin::STRIDE;
+      d[m] = own - Motion<D>(kj);
+      inertia[m] = load(kj + Kin::MASS);
+    }
+    Four r2, vr;
+    Motion<D>::dots(d, r2, vr);
+    transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
+    const Four r = square_root(r2), h = 0.5 * (ki[Kin::H] + inertia[2]);
+    Four F = CubicSpline<D>::gradient_factor(r, h);
+    if (k + LANES > pairs.count[i]) F *= first_lanes(pairs.count[i] - k);
+    store(&pairs.factor[start + k], F);
+    const Four w = -(inertia[1] * F);
+    for (int m = 0; m < LANES; m++) {
+      const Several<D> g = d[m].spread_x() * Four(w[m]);
+      add_outer(moment, d[m].expanded_x(), g);
+      add_outer(velocity, d[m].expanded_v(), g);
+    }
+    if (k < pairs.nearest[i]) {
+      const Four m_wbar = Base::wbar_mass(r, inertia[0], Four(ki[Kin::NEAR]), inertia[3]) *
+          first_lanes(pairs.nearest[i] - k);
+      store(&near_weight[start + k], m_wbar);
+      nsum += m_wbar;
+    }
+  }
+  sums.moment[lane] = moment;
+  sums.velocity[lane] = velocity;
+  sums.nsum.set(lane, sum(nsum));
 }
 
 template <int D>
@@ -240,7 +209,10 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
     for (int first = 0; first < list.inum; first += LANES) {
       const typename Base::Batch four(list, first);
       Sums sums;
-      for (int m = 0; m < LANES; m++) sum_row(four.i[m], list, s, sums, m);
+      for (int m = 0; m < LANES; m++) {
+        if (m < four.n) find_pairs(four.i[m], list, s);
+        accumulate(four.i[m], sums, m);
+      }
       const int unphysical = update(p, four, sums, dt);
       if (unphysical >= 0) bad = unphysical;
     }
@@ -258,16 +230,19 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &fo
 {
   using Tensors = Tensor<D, Four>;
   const PairForm form = pair_form(opt.viscosity);
+  const Tensors moment = lanes_of<D>(sums.moment), velocity = lanes_of<D>(sums.velocity);
   Tensors B = Tensors::Identity(), exact = B;    // exact: for linear fields
   if (opt.corrected || needs_rates(form) || needs_switch(form)) {
-    const Four enough = sums.moment.determinant() - DET_FALLBACK;
-    const Tensors inverse = sums.moment.inverse();
+    const Four enough = moment.determinant() - DET_FALLBACK;
+    const Tensors inverse = moment.inverse();
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) exact(a, b) = where_positive(enough, inverse(a, b), exact(a, b));
   }
   if (opt.corrected) B = exact;
+  // what tells a linear field from a jump needs the exact one, with gradient plain too
+  const Tensors rate = velocity * exact;
   Tensors L = Tensors::Zero();
-  if (dt > 0.0) L = midpoint_velocity_gradient<D, Four>(sums.velocity * B, dt);
+  if (dt > 0.0) L = midpoint_velocity_gradient<D, Four>(opt.corrected ? rate : velocity, dt);
   const auto points = Base::update_points(p, four, L, dt);
 
   const Four rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
@@ -277,8 +252,6 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &fo
   auto weighted = [&](const Tensors &sigma) {
     return opt.corrected ? Tensors(sigma * B.transpose()) : Tensors(sigma * inv_rho2);
   };
-  // what tells a linear field from a jump needs the exact one, with gradient plain too
-  const Tensors rate = sums.velocity * exact;
   Four last = sums.nsum;
   if (needs_switch(form))
     last = Base::own_switch(rate, square_root(maximum(points.eos.c2, Four(0.0))),
@@ -288,7 +261,7 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &fo
   Base::write_rows(four, points, weighted(points.sigma), opt.corrected ? mass / rho : mass, last);
   if (needs_rates(form)) Base::write_tensors(four, at_rate(), rate);
   if (opt.tensile) Base::write_tensors(four, extra(0), weighted(tension_stress(points.sigma)));
-  return Base::unphysical(four, rho, points.eos.P + points.state.S.sum() + sums.moment.sum());
+  return Base::unphysical(four, rho, points.eos.P + points.state.S.sum() + moment.sum());
 }
 
 // artificial stress of four particles, one after the other: eigenvalues

@@ -57,7 +57,8 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   using Base = SweepsBase<D>;
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
       Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_force,
-      Base::near_weight,      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::separation,
+      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
+      Base::separation,
       Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass,
       Base::whole_pull, Base::work;
   using typename Base::Kin;
@@ -454,8 +455,9 @@ template <int D> void LagrangianSweeps<D>::near_weights(int i)
     const int at = pairs.first[i] + k, j = pairs.j[at];
     double r2 = 0.0;
     for (int a = 0; a < D; a++) r2 += sep[at * D + a] * sep[at * D + a];
-    near_weight[at] = correction_weight(opt.weights, wbar_mass(i, j, std::sqrt(r2)),
-                                        str(i)[Str::NSUM], str(j)[Str::NSUM]);
+    const double m_wbar =
+        wbar_mass(std::sqrt(r2), kin(j)[Kin::MASS], kin(i)[Kin::NEAR], kin(j)[Kin::NEAR]);
+    near_weight[at] = correction_weight(opt.weights, m_wbar, str(i)[Str::NSUM], str(j)[Str::NSUM]);
   }
 }
 

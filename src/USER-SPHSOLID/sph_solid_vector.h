@@ -35,145 +35,115 @@ inline int whole_vectors(int n)
   return (n + LANES - 1) / LANES * LANES;
 }
 
-class Four {
 #ifdef SPHSOLID_PORTABLE_VECTOR
-  struct Native {
-    double lane[LANES];
-    double &operator[](int k) { return lane[k]; }
-    double operator[](int k) const { return lane[k]; }
+
+struct Native {
+  double lane[LANES];
+  double &operator[](int k) { return lane[k]; }
+  double operator[](int k) const { return lane[k]; }
+};
+
+template <class F> inline Native each_lane(F f)
+{
+  return {f(0), f(1), f(2), f(3)};
+}
+inline Native operator+(const Native &a, const Native &b)
+{
+  return each_lane([&](int k) {
+    return a[k] + b[k];
+  });
+}
+inline Native operator-(const Native &a, const Native &b)
+{
+  return each_lane([&](int k) {
+    return a[k] - b[k];
+  });
+}
+inline Native operator*(const Native &a, const Native &b)
+{
+  return each_lane([&](int k) {
+    return a[k] * b[k];
+  });
+}
+inline Native operator/(const Native &a, const Native &b)
+{
+  return each_lane([&](int k) {
+    return a[k] / b[k];
+  });
+}
+inline Native native_where_positive(const Native &condition, const Native &a, const Native &b)
+{
+  return each_lane([&](int k) {
+    return condition[k] > 0.0 ? a[k] : b[k];
+  });
+}
+template <int i, int j, int k, int l> inline Native native_shuffle(const Native &a, const Native &b)
+{
+  auto pick = [&](int n) {
+    return n < LANES ? a[n] : b[n - LANES];
   };
+  return {pick(i), pick(j), pick(k), pick(l)};
+}
+
 #else
-  typedef double Native __attribute__((vector_size(LANES * sizeof(double))));
+
+typedef double Native __attribute__((vector_size(LANES * sizeof(double))));
+
+inline Native native_where_positive(Native condition, Native a, Native b)
+{
+  return condition > Native{0.0, 0.0, 0.0, 0.0} ? a : b;
+}
+template <int i, int j, int k, int l> inline Native native_shuffle(Native a, Native b)
+{
+#if defined(__clang__) || __GNUC__ >= 12
+  return __builtin_shufflevector(a, b, i, j, k, l);
+#else
+  typedef long long Mask __attribute__((vector_size(LANES * sizeof(long long))));
+  return __builtin_shuffle(a, b, Mask{i, j, k, l});
+#endif
+}
+
 #endif
 
+// a number in formulas that take four particles or pairs at a time
+
+class Four {
  public:
   Four() = default;
   Four(double a) : v{a, a, a, a} {}
   Four(double a, double b, double c, double d) : v{a, b, c, d} {}
+  explicit Four(const Native &n) : v(n) {}
 
-  double operator[](int k) const
-  {
-    return v[k];
-  }
-  void set(int k, double a)
-  {
-    v[k] = a;
-  }
+  double operator[](int k) const { return v[k]; }
+  void set(int k, double a) { v[k] = a; }
+  const Native &native() const { return v; }
+
   static Four loaded(const double *from)
   {
     Four a;
     std::memcpy(&a.v, from, sizeof(a.v));
     return a;
   }
-  void store_at(double *to) const { std::memcpy(to, &v, sizeof(v)); }
 
-#ifdef SPHSOLID_PORTABLE_VECTOR
-  template <class F> static Four each(F f)
-  {
-    return Four(f(0), f(1), f(2), f(3));
-  }
-  friend Four operator+(Four a, Four b)
-  {
-    return each([&](int k) {
-      return a[k] + b[k];
-    });
-  }
-  friend Four operator-(Four a, Four b)
-  {
-    return each([&](int k) {
-      return a[k] - b[k];
-    });
-  }
-  friend Four operator*(Four a, Four b)
-  {
-    return each([&](int k) {
-      return a[k] * b[k];
-    });
-  }
-  friend Four operator/(Four a, Four b)
-  {
-    return each([&](int k) {
-      return a[k] / b[k];
-    });
-  }
-  // condition > 0 ? a : b
-  friend Four where_positive(Four condition, Four a, Four b)
-  {
-    return each([&](int k) {
-      return condition[k] > 0.0 ? a[k] : b[k];
-    });
-  }
-  // lanes of a (0 to 3) and b (4 to 7)
-  template <int i, int j, int k, int l> static Four shuffled(Four a, Four b)
-  {
-    auto pick = [&](int n) {
-      return n < LANES ? a[n] : b[n - LANES];
-    };
-    return Four(pick(i), pick(j), pick(k), pick(l));
-  }
-#else
-  friend Four operator+(Four a, Four b)
-  {
-    return Four(a.v + b.v);
-  }
-  friend Four operator-(Four a, Four b)
-  {
-    return Four(a.v - b.v);
-  }
-  friend Four operator*(Four a, Four b)
-  {
-    return Four(a.v * b.v);
-  }
-  friend Four operator/(Four a, Four b)
-  {
-    return Four(a.v / b.v);
-  }
-  friend Four where_positive(Four condition, Four a, Four b)
-  {
-    return Four(condition.v > Native{0.0, 0.0, 0.0, 0.0} ? a.v : b.v);
-  }
-  template <int i, int j, int k, int l> static Four shuffled(Four a, Four b)
-  {
-#if defined(__clang__) || __GNUC__ >= 12
-    return Four(__builtin_shufflevector(a.v, b.v, i, j, k, l));
-#else
-    typedef long long Mask __attribute__((vector_size(LANES * sizeof(long long))));
-    return Four(__builtin_shuffle(a.v, b.v, Mask{i, j, k, l}));
-#endif
-  }
-#endif
-
-  Four operator-() const
-  {
-    return Four(0.0) - *this;
-  }
-  Four &operator+=(Four b)
-  {
-    return *this = *this + b;
-  }
-  Four &operator-=(Four b)
-  {
-    return *this = *this - b;
-  }
-  Four &operator*=(Four b)
-  {
-    return *this = *this * b;
-  }
-  Four &operator/=(Four b)
-  {
-    return *this = *this / b;
-  }
+  friend Four operator+(const Four &a, const Four &b) { return Four(a.v + b.v); }
+  friend Four operator-(const Four &a, const Four &b) { return Four(a.v - b.v); }
+  friend Four operator*(const Four &a, const Four &b) { return Four(a.v * b.v); }
+  friend Four operator/(const Four &a, const Four &b) { return Four(a.v / b.v); }
+  Four operator-() const { return Four(0.0) - *this; }
+  Four &operator+=(const Four &b) { return *this = *this + b; }
+  Four &operator-=(const Four &b) { return *this = *this - b; }
+  Four &operator*=(const Four &b) { return *this = *this * b; }
+  Four &operator/=(const Four &b) { return *this = *this / b; }
 
  private:
-#ifndef SPHSOLID_PORTABLE_VECTOR
-  explicit Four(Native n) : v(n) {}
-#endif
   Native v;
 };
 
+// lanes of a (0 to 3) and b (4 to 7)
+
 template <int i, int j, int k, int l> inline Four shuffle(Four a, Four b)
 {
-  return Four::shuffled<i, j, k, l>(a, b);
+  return Four(native_shuffle<i, j, k, l>(a.native(), b.native()));
 }
 
 template <int i, int j, int k, int l> inline Four shuffle(Four a)
@@ -188,7 +158,7 @@ inline Four load(const double *from)
 
 inline void store(double *to, Four v)
 {
-  v.store_at(to);
+  std::memcpy(to, &v.native(), sizeof(Native));
 }
 
 // {p0, p1, 0, 0} and {p0, p1, p0, p1}
@@ -201,7 +171,12 @@ inline Four load_two_twice(const double *p)
   return Four(p[0], p[1], p[0], p[1]);
 }
 
-// the same for one number
+// condition > 0 ? a : b; numbers and vectors of them
+
+inline Four where_positive(Four condition, Four a, Four b)
+{
+  return Four(native_where_positive(condition.native(), a.native(), b.native()));
+}
 
 inline double where_positive(double condition, double a, double b)
 {
