@@ -35,13 +35,25 @@ constexpr double COINCIDE = 1.0e-6;
 
 template <class Call> void with_form(PairForm form, Call call)
 {
-  auto with = [&](auto f) { call(f); };
+  auto with = [&](auto f) {
+    call(f);
+  };
   switch (form) {
-    case PairForm::NONE: with(std::integral_constant<PairForm, PairForm::NONE>()); break;
-    case PairForm::WHOLE: with(std::integral_constant<PairForm, PairForm::WHOLE>()); break;
-    case PairForm::LIMITED: with(std::integral_constant<PairForm, PairForm::LIMITED>()); break;
-    case PairForm::SWITCHED: with(std::integral_constant<PairForm, PairForm::SWITCHED>()); break;
-    case PairForm::FRONT: with(std::integral_constant<PairForm, PairForm::FRONT>()); break;
+    case PairForm::NONE:
+      with(std::integral_constant<PairForm, PairForm::NONE>());
+      break;
+    case PairForm::WHOLE:
+      with(std::integral_constant<PairForm, PairForm::WHOLE>());
+      break;
+    case PairForm::LIMITED:
+      with(std::integral_constant<PairForm, PairForm::LIMITED>());
+      break;
+    case PairForm::SWITCHED:
+      with(std::integral_constant<PairForm, PairForm::SWITCHED>());
+      break;
+    case PairForm::FRONT:
+      with(std::integral_constant<PairForm, PairForm::FRONT>());
+      break;
   }
 }
 
@@ -438,8 +450,7 @@ template <int D> void SweepsBase<D>::mirror_vectors(double *rows, int stride) co
    much of the motion around it is not resolved, which takes one more sweep
 ------------------------------------------------------------------------- */
 
-template <int D>
-Four SweepsBase<D>::own_switch(const Tensor<D, Four> &L, Four c, Four h) const
+template <int D> Four SweepsBase<D>::own_switch(const Tensor<D, Four> &L, Four c, Four h) const
 {
   if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Four>(L);
   return balsara_switch<D, Four>(L, c, h);
@@ -539,8 +550,7 @@ template <int D> Four SweepsBase<D>::central_correction(int i)
 
 // what the correction puts on i for its nearest neighbor in a pair, at separation x
 
-template <int D>
-Vector<D> SweepsBase<D>::near_force(int i, int pair, const Vector<D> &x) const
+template <int D> Vector<D> SweepsBase<D>::near_force(int i, int pair, const Vector<D> &x) const
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
   if (safe()) return half * near_pull[pair] * x;

@@ -364,7 +364,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       for (int m = 0; m < LANES; m++) stress += Four(fn[m]) * tensile[m];
     }
     if (VISCOUS) {
-      transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
+      transpose(state[0], state[1], state[2], state[3]);            // K, rho, c, nsum or switch
       transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
       const Four h = 0.5 * (ki[Kin::H] + inertia[2]);
       const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);

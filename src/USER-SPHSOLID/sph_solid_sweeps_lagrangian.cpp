@@ -58,9 +58,8 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
       Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_force,
       Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
-      Base::separation,
-      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass,
-      Base::whole_pull, Base::work;
+      Base::separation, Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR,
+      Base::wbar_mass, Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -110,8 +109,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   Sums accumulate(int i) const;
   int update(const Particles &, const typename Base::Batch &, double dt);
   template <PairForm FORM, bool HOURGLASS> void force_row(const Particles &, int i);
-  template <PairForm FORM, bool HOURGLASS>
-  void force_rows(const Particles &, const NeighborRows &);
+  template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
   typename Base::Power pair_power(int i) const override;
   template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;

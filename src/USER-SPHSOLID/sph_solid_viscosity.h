@@ -86,11 +86,16 @@ enum class PairForm { NONE, WHOLE, LIMITED, SWITCHED, FRONT };
 constexpr PairForm pair_form(Viscosity v)
 {
   switch (v) {
-    case Viscosity::NONE: return PairForm::NONE;
-    case Viscosity::LIMITED: return PairForm::LIMITED;
-    case Viscosity::BALSARA: return PairForm::SWITCHED;
-    case Viscosity::FRONT: return PairForm::FRONT;
-    default: return PairForm::WHOLE;
+    case Viscosity::NONE:
+      return PairForm::NONE;
+    case Viscosity::LIMITED:
+      return PairForm::LIMITED;
+    case Viscosity::BALSARA:
+      return PairForm::SWITCHED;
+    case Viscosity::FRONT:
+      return PairForm::FRONT;
+    default:
+      return PairForm::WHOLE;
   }
 }
 

@@ -162,8 +162,7 @@ TEST_P(Conservation, Virial)
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, Conservation,
-                         testing::Combine(testing::Values(2, 3),
-                                          testing::ValuesIn(VISCOSITIES),
+                         testing::Combine(testing::Values(2, 3), testing::ValuesIn(VISCOSITIES),
                                           testing::Bool(), testing::Bool()),
                          name);
 

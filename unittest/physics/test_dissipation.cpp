@@ -204,12 +204,12 @@ TEST_P(Dissipation, Ledger)
   EXPECT_LT(left, standard);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Forms, Dissipation,
-    testing::Combine(testing::Values(2, 3), testing::Values(Frame::EULERIAN, Frame::LAGRANGIAN),
-                     testing::Values(Viscosity::LIMITED, Viscosity::BALSARA, Viscosity::FRONT,
-                                     Viscosity::CORRECT)),
-    name);
+INSTANTIATE_TEST_SUITE_P(Forms, Dissipation,
+                         testing::Combine(testing::Values(2, 3),
+                                          testing::Values(Frame::EULERIAN, Frame::LAGRANGIAN),
+                                          testing::Values(Viscosity::LIMITED, Viscosity::BALSARA,
+                                                          Viscosity::FRONT, Viscosity::CORRECT)),
+                         name);
 
 // the test above can fail: with conservative weights some particles are cooled
 
@@ -299,13 +299,13 @@ TEST(Switch, UnresolvedShare)
 
 TEST(Switch, FrontJump)
 {
-  EXPECT_EQ(front_jump(-4.0, -4.0, -4.0, 1.0), -4.0);            // front: whole
-  EXPECT_EQ(front_jump(-4.0, -4.0, -4.0, 0.0), 0.0);             // resolved: nothing
-  EXPECT_DOUBLE_EQ(front_jump(-4.0, -1.0, -3.0, 0.0), -2.0);     // the rest
+  EXPECT_EQ(front_jump(-4.0, -4.0, -4.0, 1.0), -4.0);           // front: whole
+  EXPECT_EQ(front_jump(-4.0, -4.0, -4.0, 0.0), 0.0);            // resolved: nothing
+  EXPECT_DOUBLE_EQ(front_jump(-4.0, -1.0, -3.0, 0.0), -2.0);    // the rest
   EXPECT_DOUBLE_EQ(front_jump(-4.0, -1.0, -3.0, 0.5), -3.0);
-  EXPECT_DOUBLE_EQ(front_jump(-4.0, -1.0, 1.0, 0.0), -4.0);      // a crest
-  EXPECT_EQ(front_jump(-4.0, -5.0, -5.0, 0.0), 0.0);             // would change its sign
-  EXPECT_EQ(front_jump(-4.0, 5.0, 5.0, 0.0), -4.0);              // would grow
+  EXPECT_DOUBLE_EQ(front_jump(-4.0, -1.0, 1.0, 0.0), -4.0);    // a crest
+  EXPECT_EQ(front_jump(-4.0, -5.0, -5.0, 0.0), 0.0);           // would change its sign
+  EXPECT_EQ(front_jump(-4.0, 5.0, 5.0, 0.0), -4.0);            // would grow
 }
 
 // balsara: none of the standard viscosity in a rigid turn and in shear, where pairs
@@ -349,7 +349,9 @@ TEST(Front, LeavesThisMuchOfAWave)
     for (double length : {20.0, 40.0}) {
       const double k = 2.0 * M_PI / length, r = std::pow(std::sin(0.5 * k), 2);
       const double s = r * r / (r * r + 0.05 * 0.05), expected = s + (1.0 - s) * r;
-      Cloud c = strip(frame, 1.0, [k](double x) { return 1e-4 * std::sin(k * x); });
+      Cloud c = strip(frame, 1.0, [k](double x) {
+        return 1e-4 * std::sin(k * x);
+      });
       const double rest = heat_in_the_middle(c, Viscosity::NONE);
       const double all = heat_in_the_middle(c, Viscosity::MONAGHAN) - rest;
       const double left = heat_in_the_middle(c, Viscosity::FRONT) - rest;
@@ -364,7 +366,9 @@ TEST(Front, DampsShortWaves)
   for (Frame frame : {Frame::EULERIAN, Frame::LAGRANGIAN})
     for (double h : {1.0, 1.3}) {
       const double k = 2.0 * M_PI / 6.0;
-      Cloud c = strip(frame, h, [k](double x) { return 1e-4 * std::sin(k * x); });
+      Cloud c = strip(frame, h, [k](double x) {
+        return 1e-4 * std::sin(k * x);
+      });
       const double rest = heat_in_the_middle(c, Viscosity::NONE);
       const double all = heat_in_the_middle(c, Viscosity::MONAGHAN) - rest;
       const double left = (heat_in_the_middle(c, Viscosity::FRONT) - rest) / all;
@@ -379,7 +383,9 @@ TEST(Front, DampsShortWaves)
 TEST(Front, KeepsAClosingStep)
 {
   for (Frame frame : {Frame::EULERIAN, Frame::LAGRANGIAN}) {
-    Cloud c = strip(frame, 1.3, [](double x) { return x < 60.5 ? 0.1 : -0.1; });
+    Cloud c = strip(frame, 1.3, [](double x) {
+      return x < 60.5 ? 0.1 : -0.1;
+    });
     const double rest = heat_in_the_middle(c, Viscosity::NONE);
     const double all = heat_in_the_middle(c, Viscosity::MONAGHAN) - rest;
     EXPECT_GT((heat_in_the_middle(c, Viscosity::FRONT) - rest) / all, 0.95);

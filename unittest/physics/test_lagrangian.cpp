@@ -472,8 +472,8 @@ INSTANTIATE_TEST_SUITE_P(Options, Lagrangian,
 INSTANTIATE_TEST_SUITE_P(Options, LagrangianCentral,
                          testing::Combine(testing::Values(2, 3),
                                           testing::Values(Viscosity::NONE, Viscosity::MONAGHAN,
-                                                          Viscosity::LIMITED,
-                                                          Viscosity::BALSARA, Viscosity::FRONT),
+                                                          Viscosity::LIMITED, Viscosity::BALSARA,
+                                                          Viscosity::FRONT),
                                           testing::Bool()),
                          name);
 

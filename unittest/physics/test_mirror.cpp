@@ -191,20 +191,20 @@ INSTANTIATE_TEST_SUITE_P(Standard, Mirror,
                                           testing::Values(Weights::CONSERVATIVE),
                                           testing::Values(Frame::EULERIAN)),
                          name);
-INSTANTIATE_TEST_SUITE_P(Correction, Mirror,
-                         testing::Combine(testing::Values(1, 2, 3), testing::Bool(),
-                                          testing::Values(Viscosity::CORRECT),
-                                          testing::Values(Weights::CONSERVATIVE, Weights::SHEPARD,
-                                                          Weights::SAFE),
-                                          testing::Values(Frame::EULERIAN, Frame::LAGRANGIAN)),
-                         name);
 INSTANTIATE_TEST_SUITE_P(
-    Reference, Mirror,
-    testing::Combine(testing::Values(1, 2, 3), testing::Bool(),
-                     testing::Values(Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::LIMITED,
-                                     Viscosity::BALSARA, Viscosity::FRONT),
-                     testing::Values(Weights::CONSERVATIVE), testing::Values(Frame::LAGRANGIAN)),
+    Correction, Mirror,
+    testing::Combine(testing::Values(1, 2, 3), testing::Bool(), testing::Values(Viscosity::CORRECT),
+                     testing::Values(Weights::CONSERVATIVE, Weights::SHEPARD, Weights::SAFE),
+                     testing::Values(Frame::EULERIAN, Frame::LAGRANGIAN)),
     name);
+INSTANTIATE_TEST_SUITE_P(Reference, Mirror,
+                         testing::Combine(testing::Values(1, 2, 3), testing::Bool(),
+                                          testing::Values(Viscosity::NONE, Viscosity::MONAGHAN,
+                                                          Viscosity::LIMITED, Viscosity::BALSARA,
+                                                          Viscosity::FRONT),
+                                          testing::Values(Weights::CONSERVATIVE),
+                                          testing::Values(Frame::LAGRANGIAN)),
+                         name);
 
 // a plane pushes along its normal only
 

@@ -563,5 +563,4 @@ std::string viscosity_name(const testing::TestParamInfo<Viscosity> &info)
   return name_of(info.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(Viscosities, OrderOfWork,
-                         testing::ValuesIn(VISCOSITIES), viscosity_name);
+INSTANTIATE_TEST_SUITE_P(Viscosities, OrderOfWork, testing::ValuesIn(VISCOSITIES), viscosity_name);
