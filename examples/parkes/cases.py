@@ -51,13 +51,13 @@ CASES = [
     # the Eulerian frame: where the block shears off, it does so early
     beam("none", "eulerian", h=1.3, tend=3.0, may_fail=True),
     beam("0.1", "eulerian", h=1.3, tend=3.0, may_fail=True),
-    beam("0.5", "eulerian", h=1.3, may_fail=True),
-    beam("correct", "eulerian", h=1.3, may_fail=True),
+    beam("0.5", "eulerian", h=1.3, tend=5.0, may_fail=True),
+    beam("correct", "eulerian", h=1.3, tend=5.0, may_fail=True),
     beam("correct", "eulerian", refine=2, h=1.3, tend=3.0, may_fail=True),
     # finer lattices
     beam("correct", refine=2, tend=3.0, suffix="-3ms", levels=(1,), gated=True),
     beam("correct", refine=2, levels=(2,), gated=True),
-    beam("correct", refine=2, h=1.0, levels=(2,)),
+    beam("correct", refine=2, h=1.0, tend=3.0, levels=(1,)),
     beam("0.5", refine=2, levels=(2,)),
     beam("correct", refine=4, tend=3.0, levels=(2,)),
 ]
