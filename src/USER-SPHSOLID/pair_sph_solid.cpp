@@ -130,6 +130,11 @@ void PairSPHSolid::compute(int eflag, int vflag)
   forward(STRESS, sweeps->stress_size());
   sweeps->mirror_stress();
 
+  if (sweeps->sweeps_for_switch()) {
+    sweeps->find_switch(list);
+    forward(SWITCH, 1);
+    sweeps->mirror_switch();
+  }
   sweeps->force(p, list);
   if (sweeps->needs_correction()) {
     forward(VISCOUS, domain->dimension);
@@ -619,6 +624,7 @@ void PairSPHSolid::unpack_forward_comm(int n, int first, double *buf)
 const double *PairSPHSolid::outgoing(int i) const
 {
   if (message == STRESS) return sweeps->stress_row(i);
+  if (message == SWITCH) return sweeps->viscosity_switch(i);
   if (message == VISCOUS) return sweeps->viscous_acceleration(i);
   if (message == DISPLACEMENT) return sweeps->displacement(i);
   return AtomVecSPHSolid::arrays(atom)->vhalf[i];

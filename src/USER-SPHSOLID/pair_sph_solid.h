@@ -86,7 +86,7 @@ class PairSPHSolid : public Pair {
   static PairSPHSolid *find(class LAMMPS *, const char *caller);
 
  private:
-  enum { STRESS, VISCOUS, DISPLACEMENT, HALF_VELOCITY };    // what a message carries
+  enum { STRESS, SWITCH, VISCOUS, DISPLACEMENT, HALF_VELOCITY };    // what a message carries
 
   SPHSolid::Options *options;
   SPHSolid::TypeData *types;    // one per atom type, from 1

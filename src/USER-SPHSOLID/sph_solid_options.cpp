@@ -59,6 +59,12 @@ class Reader {
   char **arg;
 };
 
+void parse_alpha(Options &o, Reader &r, const std::string &keyword)
+{
+  o.a1 = r.number(keyword, "a1", 0.0, false);
+  o.a2 = r.number(keyword, "a2", 0.0, false);
+}
+
 void parse_correct(Options &o, Reader &r)
 {
   o.viscosity = Viscosity::CORRECT;
@@ -69,17 +75,18 @@ void parse_correct(Options &o, Reader &r)
       o.hbar = r.number("viscosity correct hbar", "support in spacings", 0.0, true);
     } else if (key == "weights") {
       r.word(key, "");
-      const std::string w = r.word("viscosity correct weights", "conservative or shepard");
+      const std::string w = r.word("viscosity correct weights", "conservative, shepard or safe");
       if (w == "conservative")
         o.weights = Weights::CONSERVATIVE;
       else if (w == "shepard")
         o.weights = Weights::SHEPARD;
+      else if (w == "safe")
+        o.weights = Weights::SAFE;
       else
-        r.unknown("viscosity correct weights", w, "conservative or shepard");
+        r.unknown("viscosity correct weights", w, "conservative, shepard or safe");
     } else if (key == "alpha") {
       r.word(key, "");
-      o.a1 = r.number("viscosity correct alpha", "a1", 0.0, false);
-      o.a2 = r.number("viscosity correct alpha", "a2", 0.0, false);
+      parse_alpha(o, r, "viscosity correct alpha");
     } else if (key == "heating") {
       r.word(key, "");
       const std::string w = r.word("viscosity correct heating", "compatible or printed");
@@ -94,7 +101,7 @@ void parse_correct(Options &o, Reader &r)
   }
 }
 
-const char VISCOSITIES[] = "none, monaghan, correct or limited";
+const char VISCOSITIES[] = "none, monaghan, correct, limited, balsara or front";
 
 void parse_viscosity(Options &o, Reader &r)
 {
@@ -103,14 +110,21 @@ void parse_viscosity(Options &o, Reader &r)
     o.viscosity = Viscosity::NONE;
   else if (form == "monaghan") {
     o.viscosity = Viscosity::MONAGHAN;
-    o.a1 = r.number("viscosity monaghan", "a1", 0.0, false);
-    o.a2 = r.number("viscosity monaghan", "a2", 0.0, false);
+    parse_alpha(o, r, "viscosity monaghan");
   } else if (form == "correct")
     parse_correct(o, r);
   else if (form == "limited") {
     o.viscosity = Viscosity::LIMITED;
-    o.a1 = r.number("viscosity limited", "a1", 0.0, false);
-    o.a2 = r.number("viscosity limited", "a2", 0.0, false);
+    parse_alpha(o, r, "viscosity limited");
+  } else if (form == "balsara") {
+    o.viscosity = Viscosity::BALSARA;
+    parse_alpha(o, r, "viscosity balsara");
+  } else if (form == "front") {
+    o.viscosity = Viscosity::FRONT;
+    if (r.peek() == "alpha") {
+      r.word("alpha", "");
+      parse_alpha(o, r, "viscosity front alpha");
+    }
   } else
     r.unknown("viscosity", form, VISCOSITIES);
 }
@@ -172,10 +186,6 @@ void require_frame(LAMMPS *lmp, const Options &o)
     lmp->error->all(FLERR,
                     "pair_style sph/solid: tensile artificial needs frame eulerian: the "
                     "lagrangian frame has no tensile instability");
-  if (!lagrangian && o.viscosity == Viscosity::LIMITED)
-    lmp->error->all(FLERR,
-                    "pair_style sph/solid: viscosity limited needs frame lagrangian in this "
-                    "version");
   if (!lagrangian && o.hourglass > 0.0)
     lmp->error->all(FLERR,
                     "pair_style sph/solid: hourglass {} needs frame lagrangian: expected 0 in "
@@ -214,5 +224,9 @@ Options SPHSolid::parse_options(LAMMPS *lmp, int narg, char **arg)
   }
   if (o.hourglass == UNSET) o.hourglass = o.frame == Frame::LAGRANGIAN ? HOURGLASS_DEFAULT : 0.0;
   require_frame(lmp, o);
+  if (o.weights == Weights::SAFE && o.heating == Heating::PRINTED)
+    lmp->error->all(FLERR,
+                    "pair_style sph/solid: heating printed needs weights conservative or shepard: "
+                    "weights safe heats compatibly");
   return o;
 }

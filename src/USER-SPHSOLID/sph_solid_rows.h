@@ -49,6 +49,7 @@ template <int D> struct Stress {
   static constexpr int RHO = K + 1;              // density
   static constexpr int C = K + 2;                // bulk sound speed
   static constexpr int NSUM = K + 3;             // n = sum m Wbar of the correction
+  static constexpr int SWITCH = NSUM;            // in its place: of the viscosities that have one
   static constexpr int STRIDE = K + 4;
   // followed by tensors that only some scenes need.  eulerian: R of the
   // artificial stress; lagrangian: C, and F'

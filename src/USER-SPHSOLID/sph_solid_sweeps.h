@@ -3,6 +3,7 @@
 
    The order is that of pair style sph/solid (its compute() is the list):
      gradient     velocity gradient, correction matrix, constitutive update
+     switch       of the viscosity, from the velocity gradients of all neighbors
      force        stress and viscosity
      correction   acceleration correction of Shaw & Reid over nearest neighbors
      heat         work of the pair forces on a given displacement field
@@ -116,6 +117,12 @@ class Sweeps {
   virtual const double *stress_row(int i) const = 0;
   virtual void unpack_stress(const Particles &, int i, const double *) = 0;
   virtual void mirror_stress() = 0;
+
+  // the switch of a viscosity that needs one more sweep for it
+  virtual bool sweeps_for_switch() const = 0;
+  virtual void find_switch(const NeighborRows &) = 0;
+  virtual double *viscosity_switch(int i) = 0;    // one double
+  virtual void mirror_switch() = 0;
 
   // add stress and viscous forces to p.f
   virtual void force(const Particles &, const NeighborRows &) = 0;

@@ -15,10 +15,12 @@
 #include "sph_solid_lanes.h"
 #include "sph_solid_strength.h"
 #include "sph_solid_sweeps.h"
+#include "sph_solid_switch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 namespace SPHSolid {
 
@@ -28,6 +30,32 @@ constexpr int INDEX_MASK = 0x1FFFFFFF;
 // a particle this close to its image, in smoothing lengths, is on the plane, and
 // both are the two halves of one particle
 constexpr double COINCIDE = 1.0e-6;
+
+// call with the form of the pair viscosity as a constant
+
+template <class Call> void with_form(PairForm form, Call call)
+{
+  auto with = [&](auto f) {
+    call(f);
+  };
+  switch (form) {
+    case PairForm::NONE:
+      with(std::integral_constant<PairForm, PairForm::NONE>());
+      break;
+    case PairForm::WHOLE:
+      with(std::integral_constant<PairForm, PairForm::WHOLE>());
+      break;
+    case PairForm::LIMITED:
+      with(std::integral_constant<PairForm, PairForm::LIMITED>());
+      break;
+    case PairForm::SWITCHED:
+      with(std::integral_constant<PairForm, PairForm::SWITCHED>());
+      break;
+    case PairForm::FRONT:
+      with(std::integral_constant<PairForm, PairForm::FRONT>());
+      break;
+  }
+}
 
 template <int D> class SweepsBase : public Sweeps {
  public:
@@ -46,6 +74,9 @@ template <int D> class SweepsBase : public Sweeps {
   const double *stress_row(int i) const override { return &srow[i * stress_stride]; }
   void unpack_stress(const Particles &, int, const double *) override;
   void mirror_stress() override;
+  bool sweeps_for_switch() const override { return opt.viscosity == Viscosity::FRONT; }
+  double *viscosity_switch(int i) override { return str(i) + Str::SWITCH; }
+  void mirror_switch() override;
   bool needs_correction() const override { return opt.viscosity == Viscosity::CORRECT; }
   double *viscous_acceleration(int i) override { return &da[i * VECTOR]; }
   void correction(const Particles &, const NeighborRows &) override;
@@ -74,6 +105,7 @@ template <int D> class SweepsBase : public Sweeps {
   Pairs pairs;
   std::vector<int> image_first, image_j;    // candidates among the images
   std::vector<double> near_weight;          // of pairs of nearest neighbors, for the correction
+  std::vector<double> near_pull;            // weights safe: force on i = m_i/2 near_pull x_ij
   bool weights_known = false;
   std::vector<double> pull;    // viscous force on i = -own weight * pull * x_ij, kept for heat
   bool lonely = false;         // a particle here has no nearest neighbor
@@ -90,6 +122,7 @@ template <int D> class SweepsBase : public Sweeps {
     for (int a = 0; a < D; a++) d[a] = kin(i)[Kin::X + a] - kin(j)[Kin::X + a];
     return d;
   }
+  bool safe() const { return needs_correction() && opt.weights == Weights::SAFE; }
   bool is_lonely(int i) const { return needs_correction() && !(str(i)[Str::NSUM] > 0.0); }
 
   void size_rows(const Particles &, const NeighborRows &);
@@ -164,6 +197,12 @@ template <int D> class SweepsBase : public Sweeps {
   };
   virtual Power pair_power(int i) const = 0;
   double heat_correction(int i) const;
+  Four central_correction(int i);
+  Vector<D> near_force(int i, int pair, const Vector<D> &x) const;
+
+  Four own_switch(const Tensor<D, Four> &L, Four c, Four h) const;
+  template <class Along> void sum_switch(const NeighborRows &, int at_rate, Along along);
+  virtual double switch_weight(int j) const = 0;    // times pairs.factor
 };
 
 /* ----------------------------------------------------------------------
@@ -406,12 +445,69 @@ template <int D> void SweepsBase<D>::mirror_vectors(double *rows, int stride) co
 }
 
 /* ----------------------------------------------------------------------
+   switches of the viscosity.  That of "front" is how much of the deformation of
+   a particle is compression, known from its own velocity gradient, times how
+   much of the motion around it is not resolved, which takes one more sweep
+------------------------------------------------------------------------- */
+
+template <int D> Four SweepsBase<D>::own_switch(const Tensor<D, Four> &L, Four c, Four h) const
+{
+  if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Four>(L);
+  return balsara_switch<D, Four>(L, c, h);
+}
+
+// at_rate: where in a row the tensor R is that predicts the jump x_ij.R along(k, d)
+// of pair k, d being the difference of motion
+
+template <int D>
+template <class Along>
+void SweepsBase<D>::sum_switch(const NeighborRows &list, int at_rate, Along along)
+{
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads)
+#endif
+  for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii];
+    const Motion<D> own(kin(i));
+    const Several<D> rate = load_tensor<D>(str(i) + at_rate);
+    const double least = MU_EPSILON * kin(i)[Kin::H] * kin(i)[Kin::H];    // particles may meet
+    Four rest2 = 0.0, linear2 = 0.0;
+    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+      Motion<D> d[LANES];
+      Four l_i[LANES], l_j[LANES], weight = 0.0, r2, vr;
+      for (int m = 0; m < LANES; m++) {
+        const int j = pairs.j[k + m];
+        d[m] = own - Motion<D>(kin(j));
+        const Several<D> X = along(k + m, d[m]);
+        l_i[m] = d[m].expanded_x() * times(rate, X);
+        l_j[m] = d[m].expanded_x() * times(load_tensor<D>(str(j) + at_rate), X);
+        weight.set(m, -switch_weight(j) * pairs.factor[k + m]);
+      }
+      Motion<D>::dots(d, r2, vr);
+      const Four li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
+      const Four lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
+      const Four rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
+      rest2 += w * rest * rest;
+      linear2 += 0.5 * w * (li * li + lj * lj);
+    }
+    *viscosity_switch(i) *= unresolved_share(sum(rest2), sum(linear2));
+  }
+}
+
+template <int D> void SweepsBase<D>::mirror_switch()
+{
+  for (int k = 0; k < nrows - nparticles; k++)
+    *viscosity_switch(nparticles + k) = *viscosity_switch(images.source_of(k));
+}
+
+/* ----------------------------------------------------------------------
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
 template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
 {
   mirror_vectors(da.data(), VECTOR);
+  if (safe()) near_pull.resize(near_weight.size());
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
 #endif
@@ -419,12 +515,49 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
     const int i = list.ilist[ii];
     if (!weights_known) near_weights(i);
     Four sum = 0.0;
-    each_few(i, [&](Four w, const int *, Four difference) {
-      sum += w * difference;
-    });
+    if (safe())
+      sum = central_correction(i);
+    else
+      each_few(i, [&](Four w, const int *, Four difference) {
+        sum += w * difference;
+      });
     for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * few_summed<D>(sum, a);
   }
   weights_known = constant_weights();
+}
+
+// the same with weights safe; the sum in the first lanes
+
+template <int D> Four SweepsBase<D>::central_correction(int i)
+{
+  Four sum = 0.0;
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++) {
+    const int j = pairs.j[k];
+    const double *dai = &da[i * VECTOR], *daj = &da[j * VECTOR];
+    const Motion<D> d = Motion<D>(kin(i)) - Motion<D>(kin(j));
+    double ax = 0.0, vx = 0.0, x2 = 0.0;
+    for (int a = 0; a < D; a++) {
+      const double x = d.x()[a];
+      ax += (dai[a] - daj[a]) * x;
+      vx += (kin(i)[Kin::V + a] - kin(j)[Kin::V + a]) * x;
+      x2 += x * x;
+    }
+    near_pull[k] = near_weight[k] * safe_pull(ax, vx, x2);
+    for (int a = 0; a < D; a++) sum.set(a, sum[a] + near_pull[k] * d.x()[a]);
+  }
+  return sum;
+}
+
+// what the correction puts on i for its nearest neighbor in a pair, at separation x
+
+template <int D> Vector<D> SweepsBase<D>::near_force(int i, int pair, const Vector<D> &x) const
+{
+  const double half = 0.5 * kin(i)[Kin::MASS];
+  if (safe()) return half * near_pull[pair] * x;
+  const double *dai = &da[i * VECTOR], *daj = &da[pairs.j[pair] * VECTOR];
+  Vector<D> f;
+  for (int a = 0; a < D; a++) f[a] = half * near_weight[pair] * (dai[a] - daj[a]);
+  return f;
 }
 
 /* ----------------------------------------------------------------------
@@ -501,12 +634,20 @@ template <int D> double SweepsBase<D>::lonely_power(int i) const
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
 // shepard weights leak momentum, there the loss of kinetic energy of the
 // particle itself becomes heat (exact in total, not Galilean invariant);
-// printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j
+// printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
+// safe: half the work of each central pair force, none of it negative for u = v
 
 template <int D> double SweepsBase<D>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
   const bool shepard = opt.weights == Weights::SHEPARD;
+  if (safe()) {
+    double power = 0.0;
+    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++)
+      for (int a = 0; a < D; a++)
+        power -= near_pull[k] * (u(i)[a] - u(pairs.j[k])[a]) * (kin(i)[a] - kin(pairs.j[k])[a]);
+    return 0.25 * kin(i)[Kin::MASS] * power;
+  }
   const Four ui = load_few<D>(u(i), u(i));
   Four power = 0.0;
   each_few(i, [&](Four w, const int *j, Four difference) {
@@ -551,7 +692,7 @@ template <int D> double SweepsBase<D>::memory_usage() const
 {
   const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
       mu_max.capacity() + work.capacity() + pull.capacity() + pairs.factor.capacity() +
-      near_weight.capacity();
+      near_weight.capacity() + near_pull.capacity();
   const std::size_t ints = pairs.first.capacity() + pairs.count.capacity() +
       pairs.nearest.capacity() + pairs.j.capacity() + image_first.capacity() + image_j.capacity();
   return static_cast<double>(doubles * sizeof(double) + ints * sizeof(int));

@@ -20,26 +20,28 @@ constexpr double DET_FALLBACK = 0.1;
 template <int D> class EulerianSweeps : public SweepsBase<D> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      SweepsBase<D>(o, t, o.tensile ? 1 : 0)
+      SweepsBase<D>(o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
   {
   }
 
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
   int gradient(const Particles &, const NeighborRows &, double) override;
+  void find_switch(const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
 
  private:
   using Base = SweepsBase<D>;
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
-      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_weight,
-      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::separation,
-      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull,
-      Base::work;
+      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_force,
+      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
+      Base::separation, Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR,
+      Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
   double own_weight(int i) const override { return kin(i)[Kin::MASS]; }
+  double switch_weight(int j) const override { return kin(j)[Kin::VOLUME]; }
   double weight_volume(const Particles &p, int i) const override
   {
     return p.mass[i] / p.rho_weight[i];
@@ -62,8 +64,9 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   void accumulate(int i, Sums &, int lane);
   int update(const Particles &, const typename Base::Batch &, const Sums &, double dt);
   Tensor<D, Four> tension_stress(const Tensor<D, Four> &) const;
-  template <bool VISCOUS, bool TENSILE> void force_row(const Particles &, int i);
-  template <bool VISCOUS> void force_rows(const Particles &, const NeighborRows &);
+  int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
+  template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
+  template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
   Four crowding_of(int i, const int *j, Four r2) const;
   typename Base::Power pair_power(int i) const override;
@@ -226,16 +229,20 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &fo
                               const Sums &sums, double dt)
 {
   using Tensors = Tensor<D, Four>;
-  const Tensors moment = lanes_of<D>(sums.moment);
-  Tensors B = Tensors::Identity();
-  if (opt.corrected) {
+  const PairForm form = pair_form(opt.viscosity);
+  const Tensors moment = lanes_of<D>(sums.moment), velocity = lanes_of<D>(sums.velocity);
+  Tensors B = Tensors::Identity(), exact = B;    // exact: for linear fields
+  if (opt.corrected || needs_rates(form) || needs_switch(form)) {
     const Four enough = moment.determinant() - DET_FALLBACK;
     const Tensors inverse = moment.inverse();
     for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) B(a, b) = where_positive(enough, inverse(a, b), B(a, b));
+      for (int b = 0; b < D; b++) exact(a, b) = where_positive(enough, inverse(a, b), exact(a, b));
   }
+  if (opt.corrected) B = exact;
+  // what tells a linear field from a jump needs the exact one, with gradient plain too
+  const Tensors rate = velocity * exact;
   Tensors L = Tensors::Zero();
-  if (dt > 0.0) L = midpoint_velocity_gradient<D, Four>(lanes_of<D>(sums.velocity) * B, dt);
+  if (dt > 0.0) L = midpoint_velocity_gradient<D, Four>(opt.corrected ? rate : velocity, dt);
   const auto points = Base::update_points(p, four, L, dt);
 
   const Four rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
@@ -245,8 +252,14 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &fo
   auto weighted = [&](const Tensors &sigma) {
     return opt.corrected ? Tensors(sigma * B.transpose()) : Tensors(sigma * inv_rho2);
   };
-  Base::write_rows(four, points, weighted(points.sigma), opt.corrected ? mass / rho : mass,
-                   sums.nsum);
+  Four last = sums.nsum;
+  if (needs_switch(form))
+    last = Base::own_switch(rate, square_root(maximum(points.eos.c2, Four(0.0))),
+                            Base::lanes([&](int m) {
+                              return types[p.type[four.i[m]]].h;
+                            }));
+  Base::write_rows(four, points, weighted(points.sigma), opt.corrected ? mass / rho : mass, last);
+  if (needs_rates(form)) Base::write_tensors(four, at_rate(), rate);
   if (opt.tensile) Base::write_tensors(four, extra(0), weighted(tension_stress(points.sigma)));
   return Base::unphysical(four, rho, points.eos.P + points.state.S.sum() + moment.sum());
 }
@@ -268,20 +281,27 @@ Tensor<D, Four> EulerianSweeps<D>::tension_stress(const Tensor<D, Four> &sigma) 
   return out;
 }
 
+template <int D> void EulerianSweeps<D>::find_switch(const NeighborRows &list)
+{
+  Base::sum_switch(list, at_rate(), [&](int k, const Motion<D> &d) {
+    (void) k;
+    return d.spread_x();
+  });
+}
+
 /* ----------------------------------------------------------------------
    force sweep
 ------------------------------------------------------------------------- */
 
 template <int D> void EulerianSweeps<D>::force(const Particles &p, const NeighborRows &list)
 {
-  if (opt.viscosity == Viscosity::NONE)
-    force_rows<false>(p, list);
-  else
-    force_rows<true>(p, list);
+  with_form(pair_form(opt.viscosity), [&](auto form) {
+    force_rows<form()>(p, list);
+  });
 }
 
 template <int D>
-template <bool VISCOUS>
+template <PairForm FORM>
 void EulerianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
 {
 #if defined(_OPENMP)
@@ -290,22 +310,25 @@ void EulerianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
     if (opt.tensile)
-      force_row<VISCOUS, true>(p, i);
+      force_row<FORM, true>(p, i);
     else
-      force_row<VISCOUS, false>(p, i);
-    if (VISCOUS && lonely) Base::lonely_pairs(p, i);
+      force_row<FORM, false>(p, i);
+    if (FORM != PairForm::NONE && lonely) Base::lonely_pairs(p, i);
   }
 }
 
 // f_i = K_i sum_j K_j (T_i + T_j) g_ij - m_i sum_j m_j Pi_ij g_ij, g = F x_ij
 
 template <int D>
-template <bool VISCOUS, bool TENSILE>
+template <PairForm FORM, bool TENSILE>
 void EulerianSweeps<D>::force_row(const Particles &p, int i)
 {
+  constexpr bool VISCOUS = FORM != PairForm::NONE, RATES = needs_rates(FORM);
+  const int r_at = at_rate();
   const double *kall = krow.data(), *sall = srow.data(), *ki = kin(i), *si = str(i);
   const Motion<D> own(ki);
-  const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + extra(0) : si);
+  const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + extra(0) : si),
+                   rate = load_tensor<D>(RATES ? si + r_at : si);
   const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
@@ -314,7 +337,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
 
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
     Motion<D> d[LANES];
-    Four state[LANES], inertia[LANES], tensile[LANES];
+    Four state[LANES], inertia[LANES], tensile[LANES], l_i[LANES], l_j[LANES];
     for (int m = 0; m < LANES; m++) {
       const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
       const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
@@ -326,6 +349,11 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
         state[m] = load(sj + Str::K);
         inertia[m] = load(kj + Kin::MASS);
       }
+      if (RATES) {
+        const Four x = d[m].expanded_x();
+        l_i[m] = x * times(rate, d[m].spread_x());
+        l_j[m] = x * times(load_tensor<D>(sj + r_at), d[m].spread_x());
+      }
     }
     if (!VISCOUS && !TENSILE) continue;
 
@@ -336,12 +364,17 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       for (int m = 0; m < LANES; m++) stress += Four(fn[m]) * tensile[m];
     }
     if (VISCOUS) {
-      transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum of the neighbors
+      transpose(state[0], state[1], state[2], state[3]);            // K, rho, c, nsum or switch
       transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
       const Four h = 0.5 * (ki[Kin::H] + inertia[2]);
       const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
+      const Four on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Four(1.0);
+      if (RATES)
+        vr = jump_left<FORM>(vr, sums(l_i[0], l_i[1], l_i[2], l_i[3]),
+                             sums(l_j[0], l_j[1], l_j[2], l_j[3]), on);
       const Four mu = approach_rate(vr, r2, h);
       Four q = inertia[0] * monaghan_pi(opt.a1, opt.a2, c, rho, mu) * load(&pairs.factor[k]);
+      if (FORM == PairForm::SWITCHED) q *= on;
       if (keep) store(&pull[k], q);    // m_j Pi_ij F_ij
       if (correct) q = where_positive(state[3], ok_i * q, zero);
       for (int m = 0; m < LANES; m++) viscous -= Four(q[m]) * d[m].x();
@@ -437,10 +470,8 @@ void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, doub
           if (opt.tensile) f[a] += w * fn * (str(i)[extra(0) + ab] + str(j)[extra(0) + ab]) * d[b];
         }
         f[a] -= whole_pull(i, pairs.first[i] + k) * d[a];
-        if (k < pairs.nearest[i])
-          f[a] += 0.5 * kin(i)[Kin::MASS] * near_weight[pairs.first[i] + k] *
-              (da[i * VECTOR + a] - da[j * VECTOR + a]);
       }
+      if (k < pairs.nearest[i]) f += near_force(i, pairs.first[i] + k, d);
       for (int a = 0; a < D; a++)
         for (int b = a; b < D; b++) six[VOIGT[a][b]] += 0.5 * d[a] * f[b];
     }

@@ -47,6 +47,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
 
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
   int gradient(const Particles &, const NeighborRows &, double) override;
+  void find_switch(const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
   Overload find_overload(const NeighborRows &) const override;
@@ -55,10 +56,10 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
  private:
   using Base = SweepsBase<D>;
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
-      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_weight,
-      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::separation,
-      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass,
-      Base::whole_pull, Base::work;
+      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_force,
+      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
+      Base::separation, Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR,
+      Base::wbar_mass, Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -69,12 +70,13 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   std::vector<double> damp;        // of every pair: hourglass force on i = V0_i damp x_ij
 
   bool viscous() const { return opt.viscosity != Viscosity::NONE; }
-  bool limited() const { return opt.viscosity == Viscosity::LIMITED; }
-  bool needs_rates() const { return opt.hourglass > 0.0 || limited(); }
+  static bool keeps_rates(const Options &o)
+  {
+    return o.hourglass > 0.0 || needs_rates(pair_form(o.viscosity));
+  }
   static int count_tensors(const Options &o)
   {
-    const bool visc = o.viscosity != Viscosity::NONE;
-    return (visc ? 1 : 0) + (o.hourglass > 0.0 || o.viscosity == Viscosity::LIMITED ? 1 : 0);
+    return (o.viscosity != Viscosity::NONE ? 1 : 0) + (keeps_rates(o) ? 1 : 0);
   }
   // where in a stress row: C, F'
   int at_C() const { return extra(0); }
@@ -82,6 +84,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
 
   bool constant_weights() const override { return true; }
   double own_weight(int i) const override { return kin(i)[Kin::VOLUME]; }
+  double switch_weight(int) const override { return 1.0; }    // the factor has V0_j
   double step_factor(int i) const override;
   double weight_volume(const Particles &p, int i) const override { return p.vref[i]; }
 
@@ -105,9 +108,8 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   };
   Sums accumulate(int i) const;
   int update(const Particles &, const typename Base::Batch &, double dt);
-  template <bool VISCOUS, bool LIMITED, bool HOURGLASS> void force_row(const Particles &, int i);
-  template <bool VISCOUS, bool LIMITED, bool HOURGLASS>
-  void force_rows(const Particles &, const NeighborRows &);
+  template <PairForm FORM, bool HOURGLASS> void force_row(const Particles &, int i);
+  template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
   typename Base::Power pair_power(int i) const override;
   template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;
@@ -299,24 +301,35 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
       (rho * lanes([&](int i) {
                    return p.vref[i];
                  }));
-  const Tensors C = J * Tensors(Fi.inverse()).transpose() * correction.transpose();
+  const Tensors inverse = Fi.inverse(), C = J * inverse.transpose() * correction.transpose();
+  const Four h = lanes([&](int i) {
+    return types[p.type[i]].h;
+  });
   Four impedance = 0.0;
-  if (needs_rates()) {
-    const Four h = lanes([&](int i) {
-      return types[p.type[i]].h;
-    });
+  if (keeps_rates(opt)) {
     const Four shear = lanes([&](int i) {
       return types[p.type[i]].material.shear;
     });
     impedance =
         rho * h * square_root(maximum(points.eos.c2, Four(0.0)) + 4.0 * shear / (3.0 * rho));
   }
-  Base::write_rows(four, points, points.sigma * C, impedance, lanes([&](int i) {
-                     return nsum[i];
-                   }));
+  Four last = lanes([&](int i) {
+    return nsum[i];
+  });
+  if (needs_switch(pair_form(opt.viscosity)))
+    last = Base::own_switch(rate * inverse, square_root(maximum(points.eos.c2, Four(0.0))), h);
+  Base::write_rows(four, points, points.sigma * C, impedance, last);
   if (viscous()) Base::write_tensors(four, at_C(), C);
-  if (needs_rates()) Base::write_tensors(four, at_rate(), rate);
+  if (keeps_rates(opt)) Base::write_tensors(four, at_rate(), rate);
   return Base::unphysical(four, rho, points.eos.P + points.state.S.sum() + C.sum());
+}
+
+template <int D> void LagrangianSweeps<D>::find_switch(const NeighborRows &list)
+{
+  Base::sum_switch(list, at_rate(), [&](int k, const Motion<D> &d) {
+    (void) d;
+    return load_spread<D>(&sep[k * D]);
+  });
 }
 
 /* ----------------------------------------------------------------------
@@ -325,17 +338,16 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
 
 template <int D> void LagrangianSweeps<D>::force(const Particles &p, const NeighborRows &list)
 {
-  const bool damped = opt.hourglass > 0.0;
-  if (!viscous())
-    damped ? force_rows<false, false, true>(p, list) : force_rows<false, false, false>(p, list);
-  else if (limited())
-    damped ? force_rows<true, true, true>(p, list) : force_rows<true, true, false>(p, list);
-  else
-    damped ? force_rows<true, false, true>(p, list) : force_rows<true, false, false>(p, list);
+  with_form(pair_form(opt.viscosity), [&](auto form) {
+    if (opt.hourglass > 0.0)
+      force_rows<form(), true>(p, list);
+    else
+      force_rows<form(), false>(p, list);
+  });
 }
 
 template <int D>
-template <bool VISCOUS, bool LIMITED, bool HOURGLASS>
+template <PairForm FORM, bool HOURGLASS>
 void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
 {
 #if defined(_OPENMP)
@@ -343,8 +355,8 @@ void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &lis
 #endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
-    force_row<VISCOUS, LIMITED, HOURGLASS>(p, i);
-    if (VISCOUS && lonely) Base::lonely_pairs(p, i);
+    force_row<FORM, HOURGLASS>(p, i);
+    if (FORM != PairForm::NONE && lonely) Base::lonely_pairs(p, i);
   }
 }
 
@@ -356,14 +368,15 @@ void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &lis
 // w_ij = -g_ij.X_ij/X_ij^2
 
 template <int D>
-template <bool VISCOUS, bool LIMITED, bool HOURGLASS>
+template <PairForm FORM, bool HOURGLASS>
 void LagrangianSweeps<D>::force_row(const Particles &p, int i)
 {
+  constexpr bool VISCOUS = FORM != PairForm::NONE, RATES = needs_rates(FORM) || HOURGLASS;
   const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
   const int c_at = at_C(), r_at = at_rate();
   const Motion<D> own(kin(i));
   const Several<D> T = load_tensor<D>(si), C = load_tensor<D>(VISCOUS ? si + c_at : si),
-                   rate = load_tensor<D>(LIMITED || HOURGLASS ? si + r_at : si);
+                   rate = load_tensor<D>(RATES ? si + r_at : si);
   const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
@@ -383,7 +396,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
       const Four x = d[m].expanded_x();
       state[m] = load(sj + Str::K);
       if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + c_at), g);
-      if (LIMITED || HOURGLASS) {
+      if (RATES) {
         l_i[m] = x * times(rate, X);
         l_j[m] = x * times(load_tensor<D>(sj + r_at), X);
       }
@@ -393,9 +406,9 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
     Four r2, vr;
     Motion<D>::dots(d, r2, vr);
     const Four inv_r2 = 1.0 / r2;
-    transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum of the neighbors
+    transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
     Four li = zero, lj = zero;
-    if (LIMITED || HOURGLASS) {
+    if (RATES) {
       li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
       lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
     }
@@ -406,10 +419,12 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
       for (int m = 0; m < LANES; m++) hourglass += Four(s[m]) * d[m].x();
     }
     if (VISCOUS) {
-      if (LIMITED) vr = limited_jump(vr, li, lj);
+      const Four on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Four(1.0);
+      vr = jump_left<FORM>(vr, li, lj, on);
       const Four mu = minimum(vr, zero) * load(&nearness[k]) * square_root(r2) * inv_r2;
       const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
-      const Four Pi = rho * mu * (opt.a2 * mu - opt.a1 * c);
+      Four Pi = rho * mu * (opt.a2 * mu - opt.a1 * c);
+      if (FORM == PairForm::SWITCHED) Pi *= on;
       const Four G = 0.5 * sums(along[0], along[1], along[2], along[3]);
       Four s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
       if (keep) store(&pull[k], s);
@@ -489,15 +504,15 @@ void LagrangianSweeps<D>::virial(const Particles &, const NeighborRows &list, do
     for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
       const int j = pairs.j[k], n = k - pairs.first[i];
       const Vector<D> x = separation(i, j);
+      Vector<D> near = Vector<D>::Zero();
+      if (n < pairs.nearest[i]) near = near_force(i, k, x);
       for (int a = 0; a < D; a++) {
-        double f = 0.0;
+        double f = near[a];
         for (int b = 0; b < D; b++)
           f += V0 * pairs.factor[k] * (si[Blocks<D>::at(a, b)] + str(j)[Blocks<D>::at(a, b)]) *
               sep[k * D + b];
         if (opt.hourglass > 0.0) f += V0 * damp[k] * x[a];
         f -= whole_pull(i, k) * x[a];
-        if (n < pairs.nearest[i])
-          f += 0.5 * kin(i)[Kin::MASS] * near_weight[k] * (da[i * VECTOR + a] - da[j * VECTOR + a]);
         for (int b = 0; b <= a; b++) six[VOIGT[b][a]] += 0.5 * x[b] * f;
       }
     }

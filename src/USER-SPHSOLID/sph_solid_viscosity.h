@@ -21,8 +21,8 @@
 
 namespace SPHSolid {
 
-enum class Viscosity { NONE, MONAGHAN, CORRECT, LIMITED };
-enum class Weights { CONSERVATIVE, SHEPARD };
+enum class Viscosity { NONE, MONAGHAN, CORRECT, LIMITED, BALSARA, FRONT };
+enum class Weights { CONSERVATIVE, SHEPARD, SAFE };
 enum class Heating { COMPATIBLE, PRINTED };
 
 // keeps mu finite when two particles meet, eq. 24
@@ -55,14 +55,66 @@ template <class Real> inline Real van_leer(Real l_i, Real l_j)
   return where_positive(product, 4.0 * product / (sum * sum), Real{});
 }
 
-// the jump vr = v_ij . x_ij less its linear part.  Sign clip: never beyond zero
-// and never larger than vr, so that every pair dissipates
+// what is left of the jump vr = v_ij . x_ij.  Sign clip: never beyond zero and
+// never larger than vr, so that every pair dissipates
+
+template <class Real> inline Real clipped_jump(Real vr, Real rest)
+{
+  const Real clipped = where_positive(vr * vr - rest * rest, rest, vr);
+  return where_positive(rest * vr, clipped, Real{});
+}
 
 template <class Real> inline Real limited_jump(Real vr, Real l_i, Real l_j)
 {
-  const Real rest = vr - 0.5 * van_leer(l_i, l_j) * (l_i + l_j);
-  const Real clipped = where_positive(vr * vr - rest * rest, rest, vr);
-  return where_positive(rest * vr, clipped, Real{});
+  return clipped_jump(vr, vr - 0.5 * van_leer(l_i, l_j) * (l_i + l_j));
+}
+
+// whole in a shock front, where the mean switch of the pair is 1; where it is 0 all of
+// the linear part is taken off.  Without the limiter, which is 0 wherever the velocity
+// gradient changes its sign, the crests of resolved waves lose nothing either
+
+template <class Real> inline Real front_jump(Real vr, Real l_i, Real l_j, Real front)
+{
+  return clipped_jump(vr, vr - 0.5 * (1.0 - front) * (l_i + l_j));
+}
+
+// what a pair's viscosity acts on: the whole jump, the limited one, the whole one
+// times the mean switch of the two particles, or the one of front_jump()
+
+enum class PairForm { NONE, WHOLE, LIMITED, SWITCHED, FRONT };
+
+constexpr PairForm pair_form(Viscosity v)
+{
+  switch (v) {
+    case Viscosity::NONE:
+      return PairForm::NONE;
+    case Viscosity::LIMITED:
+      return PairForm::LIMITED;
+    case Viscosity::BALSARA:
+      return PairForm::SWITCHED;
+    case Viscosity::FRONT:
+      return PairForm::FRONT;
+    default:
+      return PairForm::WHOLE;
+  }
+}
+
+// does it need the velocity gradients of both particles, a switch of each?
+
+constexpr bool needs_rates(PairForm f)
+{
+  return f == PairForm::LIMITED || f == PairForm::FRONT;
+}
+constexpr bool needs_switch(PairForm f)
+{
+  return f == PairForm::SWITCHED || f == PairForm::FRONT;
+}
+
+template <PairForm FORM, class Real> inline Real jump_left(Real vr, Real l_i, Real l_j, Real front)
+{
+  if (FORM == PairForm::LIMITED) return limited_jump(vr, l_i, l_j);
+  if (FORM == PairForm::FRONT) return front_jump(vr, l_i, l_j, front);
+  return vr;
 }
 
 // n_i = sum_j m_j Wbar_ij over the nearest neighbours, self left out: with it
@@ -72,6 +124,15 @@ inline double correction_weight(Weights weights, double m_wbar, double n_i, doub
 {
   if (weights == Weights::SHEPARD) return m_wbar / n_i;
   return m_wbar / (n_i > n_j ? n_i : n_j);
+}
+
+// weights safe: of the pair force that the correction leaves, only the part along the
+// line of centers, and nothing where it would not slow the pair down.  ax and vx:
+// (da_i - da_j).x_ij and v_ij.x_ij.  Times x_ij; symmetric in i and j
+
+inline double safe_pull(double ax, double vx, double x2)
+{
+  return ax * vx < 0.0 ? ax / x2 : 0.0;
 }
 
 // largest share of the standard viscosity that the filter leaves, for the

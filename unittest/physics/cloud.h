@@ -22,12 +22,24 @@
 #include <functional>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace SPHSolid {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+// every viscosity, and its name in the names of tests
+
+constexpr Viscosity VISCOSITIES[] = {Viscosity::NONE,    Viscosity::MONAGHAN, Viscosity::CORRECT,
+                                     Viscosity::LIMITED, Viscosity::BALSARA,  Viscosity::FRONT};
+
+inline std::string name_of(Viscosity v)
+{
+  static const char *const names[] = {"None", "Monaghan", "Correct", "Limited", "Balsara", "Front"};
+  return names[static_cast<int>(v)];
+}
 
 // numbers in [-1,1], the same everywhere
 
@@ -145,6 +157,12 @@ class Cloud {
     const Particles p = particles();
     for (int g = size(); g < p.nall; g++) sweeps->unpack_stress(p, g, sweeps->stress_row(owner[g]));
     sweeps->mirror_stress();
+    if (sweeps->sweeps_for_switch()) {
+      sweeps->find_switch(rows);
+      for (int g = size(); g < p.nall; g++)
+        *sweeps->viscosity_switch(g) = *sweeps->viscosity_switch(owner[g]);
+      sweeps->mirror_switch();
+    }
     sweeps->force(p, rows);
     if (!sweeps->needs_correction()) return bad;
     for (int g = size(); g < p.nall; g++)

@@ -85,9 +85,7 @@ std::string name(const testing::TestParamInfo<Choice> &info)
 {
   auto [dim, viscosity, corrected, tensile] = info.param;
   std::string s = dim == 2 ? "Flat" : "Full";
-  s += viscosity == Viscosity::NONE ? "None" : "";
-  s += viscosity == Viscosity::MONAGHAN ? "Monaghan" : "";
-  s += viscosity == Viscosity::CORRECT ? "Correct" : "";
+  s += name_of(viscosity);
   s += corrected ? "Corrected" : "Plain";
   s += tensile ? "Tensile" : "";
   return s;
@@ -164,9 +162,7 @@ TEST_P(Conservation, Virial)
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, Conservation,
-                         testing::Combine(testing::Values(2, 3),
-                                          testing::Values(Viscosity::NONE, Viscosity::MONAGHAN,
-                                                          Viscosity::CORRECT),
+                         testing::Combine(testing::Values(2, 3), testing::ValuesIn(VISCOSITIES),
                                           testing::Bool(), testing::Bool()),
                          name);
 

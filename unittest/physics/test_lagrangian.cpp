@@ -17,9 +17,6 @@ using namespace SPHSolid;
 
 namespace {
 
-const Viscosity ALL[] = {Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::CORRECT,
-                         Viscosity::LIMITED};
-
 Matrix3d rows(double xx, double xy, double xz, double yx, double yy, double yz, double zx,
               double zy, double zz)
 {
@@ -142,10 +139,7 @@ std::string name(const testing::TestParamInfo<Choice> &info)
 {
   auto [dim, viscosity, hourglass] = info.param;
   std::string s = dim == 2 ? "Flat" : "Full";
-  s += viscosity == Viscosity::NONE ? "None" : "";
-  s += viscosity == Viscosity::MONAGHAN ? "Monaghan" : "";
-  s += viscosity == Viscosity::CORRECT ? "Correct" : "";
-  s += viscosity == Viscosity::LIMITED ? "Limited" : "";
+  s += name_of(viscosity);
   s += hourglass ? "Hourglass" : "";
   return s;
 }
@@ -472,13 +466,14 @@ TEST_P(Lagrangian, PeriodicBody)
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, Lagrangian,
-                         testing::Combine(testing::Values(2, 3), testing::ValuesIn(ALL),
+                         testing::Combine(testing::Values(2, 3), testing::ValuesIn(VISCOSITIES),
                                           testing::Bool()),
                          name);
 INSTANTIATE_TEST_SUITE_P(Options, LagrangianCentral,
                          testing::Combine(testing::Values(2, 3),
                                           testing::Values(Viscosity::NONE, Viscosity::MONAGHAN,
-                                                          Viscosity::LIMITED),
+                                                          Viscosity::LIMITED, Viscosity::BALSARA,
+                                                          Viscosity::FRONT),
                                           testing::Bool()),
                          name);
 
@@ -629,7 +624,7 @@ TEST(LagrangianLedger, HoldsTheHourglassHeat)
 TEST(FewParticles, One)
 {
   for (int dim : {2, 3})
-    for (Viscosity viscosity : ALL) {
+    for (Viscosity viscosity : VISCOSITIES) {
       Cloud c(dim);
       c.opt.frame = Frame::LAGRANGIAN;
       c.opt.viscosity = viscosity;
@@ -646,7 +641,7 @@ TEST(FewParticles, One)
 TEST(FewParticles, Two)
 {
   for (int dim : {2, 3})
-    for (Viscosity viscosity : ALL)
+    for (Viscosity viscosity : VISCOSITIES)
       for (double distance : {1.0, 2.0}) {    // 2.0: no nearest neighbor for the correction
         Cloud c(dim);
         c.opt.frame = Frame::LAGRANGIAN;

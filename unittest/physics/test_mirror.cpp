@@ -114,12 +114,11 @@ std::string name(const testing::TestParamInfo<Choice> &info)
   auto [nplanes, on_plane, viscosity, weights, frame] = info.param;
   std::string s = nplanes == 1 ? "Half" : nplanes == 2 ? "Quarter" : "Eighth";
   s += on_plane ? "OnPlane" : "OffPlane";
-  s += viscosity == Viscosity::NONE ? "None" : "";
-  s += viscosity == Viscosity::MONAGHAN ? "Monaghan" : "";
-  s += viscosity == Viscosity::CORRECT ? "Correct" : "";
-  s += viscosity == Viscosity::LIMITED ? "Limited" : "";
+  s += name_of(viscosity);
   if (viscosity == Viscosity::CORRECT)
-    s += weights == Weights::SHEPARD ? "Shepard" : "Conservative";
+    s += weights == Weights::SHEPARD ? "Shepard"
+        : weights == Weights::SAFE   ? "Safe"
+                                     : "Conservative";
   s += frame == Frame::LAGRANGIAN ? "Lagrangian" : "";
   return s;
 }
@@ -186,22 +185,26 @@ TEST_P(Mirror, Energy)
 
 INSTANTIATE_TEST_SUITE_P(Standard, Mirror,
                          testing::Combine(testing::Values(1, 2, 3), testing::Bool(),
-                                          testing::Values(Viscosity::NONE, Viscosity::MONAGHAN),
+                                          testing::Values(Viscosity::NONE, Viscosity::MONAGHAN,
+                                                          Viscosity::LIMITED, Viscosity::BALSARA,
+                                                          Viscosity::FRONT),
                                           testing::Values(Weights::CONSERVATIVE),
                                           testing::Values(Frame::EULERIAN)),
                          name);
-INSTANTIATE_TEST_SUITE_P(Correction, Mirror,
-                         testing::Combine(testing::Values(1, 2, 3), testing::Bool(),
-                                          testing::Values(Viscosity::CORRECT),
-                                          testing::Values(Weights::CONSERVATIVE, Weights::SHEPARD),
-                                          testing::Values(Frame::EULERIAN, Frame::LAGRANGIAN)),
-                         name);
 INSTANTIATE_TEST_SUITE_P(
-    Reference, Mirror,
-    testing::Combine(testing::Values(1, 2, 3), testing::Bool(),
-                     testing::Values(Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::LIMITED),
-                     testing::Values(Weights::CONSERVATIVE), testing::Values(Frame::LAGRANGIAN)),
+    Correction, Mirror,
+    testing::Combine(testing::Values(1, 2, 3), testing::Bool(), testing::Values(Viscosity::CORRECT),
+                     testing::Values(Weights::CONSERVATIVE, Weights::SHEPARD, Weights::SAFE),
+                     testing::Values(Frame::EULERIAN, Frame::LAGRANGIAN)),
     name);
+INSTANTIATE_TEST_SUITE_P(Reference, Mirror,
+                         testing::Combine(testing::Values(1, 2, 3), testing::Bool(),
+                                          testing::Values(Viscosity::NONE, Viscosity::MONAGHAN,
+                                                          Viscosity::LIMITED, Viscosity::BALSARA,
+                                                          Viscosity::FRONT),
+                                          testing::Values(Weights::CONSERVATIVE),
+                                          testing::Values(Frame::LAGRANGIAN)),
+                         name);
 
 // a plane pushes along its normal only
 

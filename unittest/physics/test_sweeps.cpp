@@ -437,7 +437,7 @@ TEST(TimeStep, ViscosityShortensIt)
 TEST(OddBody, SingleParticleFeelsNothing)
 {
   for (int dim : {2, 3})
-    for (Viscosity viscosity : {Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::CORRECT}) {
+    for (Viscosity viscosity : VISCOSITIES) {
       Cloud c(dim);
       c.opt.viscosity = viscosity;
       c.add({0, 0, 0}, {1, 2, 0});
@@ -454,7 +454,7 @@ TEST(OddBody, SingleParticleFeelsNothing)
 
 TEST(OddBody, CoincidingPair)
 {
-  for (Viscosity viscosity : {Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::CORRECT}) {
+  for (Viscosity viscosity : VISCOSITIES) {
     Cloud c(2);
     c.opt.viscosity = viscosity;
     c.add({1, 1, 0}, {0.1, 0.2, 0});
@@ -482,7 +482,7 @@ TEST(OddBody, CoincidingPairInBody)
 TEST(OddBody, ActionIsReactionBitByBit)
 {
   for (int dim : {2, 3})
-    for (Viscosity viscosity : {Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::CORRECT}) {
+    for (Viscosity viscosity : VISCOSITIES) {
       Noise noise(5);
       Cloud c(dim);
       c.opt.viscosity = viscosity;
@@ -560,10 +560,7 @@ TEST_P(OrderOfWork, NeighborsInAnyOrder)
 
 std::string viscosity_name(const testing::TestParamInfo<Viscosity> &info)
 {
-  if (info.param == Viscosity::NONE) return "None";
-  return info.param == Viscosity::MONAGHAN ? "Monaghan" : "Correct";
+  return name_of(info.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(Viscosities, OrderOfWork,
-                         testing::Values(Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::CORRECT),
-                         viscosity_name);
+INSTANTIATE_TEST_SUITE_P(Viscosities, OrderOfWork, testing::ValuesIn(VISCOSITIES), viscosity_name);
