@@ -305,13 +305,15 @@ void FixSPHSolidPartners::cover()
                    comm->cutghostuser, update->ntimestep);
 }
 
-// the next borders have to reach the partners as they are now
+// the next borders have to reach the partners as they are now, and the bins the ghosts that come
 
 void FixSPHSolidPartners::pre_exchange()
 {
   const double before = comm->cutghostuser;
   cover();
-  if (comm->cutghostuser != before) comm->setup();
+  if (comm->cutghostuser == before) return;
+  comm->setup();
+  if (neighbor->style) neighbor->setup_bins();
 }
 
 void FixSPHSolidPartners::post_run()

@@ -40,7 +40,8 @@ def page(name, scene, results):
     text += [heading("Judgement", "-"), scene.judge(results), "\n\n"] if any(not r.failed for r in results) else []
     if (PAGES / f"{name}.png").exists():
         text += [f".. image:: {name}.png\n\n"]
-    text += [heading("At the finest resolution", "-"), finest_table(scene, results), failures(scene, results)]
+    text += [heading("At the finest resolution", "-"), finest_table(scene, results), causes(scene, results),
+             failures(scene, results)]
     for figure in scene.FIGURES:
         if figure.order:
             text += [heading(f"{figure.text}: convergence", "-"), order_table(scene, results, figure)]
@@ -85,9 +86,28 @@ def finest_table(scene, results):
     return table(head, rows) + ("Bold: misses the target.\n\n" if targets else "")
 
 
+def causes(scene, results):
+    """Why gates are known to be missed, where the scene says so."""
+    texts, found = {f.name: f.text for f in scene.FIGURES}, {}
+    for each in catalogue.finest(results):
+        for figure, cause in optional(scene, "misses", {}, each.case).items():
+            found.setdefault(cause, {}).setdefault(texts[figure], []).append(pair(each.case.method))
+    for group in series(results).values():
+        for figure, cause in optional(scene, "order_misses", {}, [r.case for r in group]).items():
+            found.setdefault(cause, {}).setdefault(f"order of: {texts[figure]}", []).append(pair(group[0].case.method))
+    lines = [f"* {cause}:\n\n" + "".join(f"  * {text}: {', '.join(names)}\n" for text, names in entries.items()) + "\n"
+             for cause, entries in found.items()]
+    return "Known misses and their causes:\n\n" + "".join(lines) + "\n" if lines else ""
+
+
+def pair(method):
+    """Names a method outside its table."""
+    return f"{method.title} ({method.group})" if method.frame != "lagrangian" else method.title
+
+
 def failures(scene, results):
     lines = [f"* {r.case.method.title} ({r.case.method.group}), n = {r.case.n}: {r.case.may_fail or 'stopped'} "
-             f"(``{r.failed.strip()}``)\n" for r in results if r.failed]
+             f"(``{r.failed.strip()[:160]}``)\n" for r in results if r.failed]
     for method in methods.METHODS:
         reason = optional(scene, "cannot", "", method)
         if reason:

@@ -30,9 +30,9 @@ they stay in compression for the 5 us.
 
 FIGURES = [
     Figure("ke05", "kinetic energy at 0.5 us", "{:+.2%}"),
-    Figure("ke1", "at 1 us", "{:+.2%}"),
-    Figure("ke2", "at 2 us", "{:+.2%}"),
-    Figure("ke5", "at 5 us", "{:+.2%}"),
+    Figure("ke1", "kinetic energy at 1 us", "{:+.2%}"),
+    Figure("ke2", "kinetic energy at 2 us", "{:+.2%}"),
+    Figure("ke5", "kinetic energy at 5 us", "{:+.2%}"),
     Figure("rear", "way of the rear face", "{:+.2%}"),
     Figure("rear_speed", "its speed (m/s), 6.96 off", "{:+.2f}"),
     Figure("precursor", "place of the precursor (cells off)", "{:+.1f}"),
@@ -96,6 +96,21 @@ def gates(case):
     return found
 
 
+SLOW = "viscosity of first order brakes the release, less with every refinement"
+RINGS = ("what overshoots takes a part of the deviator along (see impact): the elastic part of the release, which weakens the "
+         "shock from behind, is smaller")
+MISSES = {
+    "L-correct-440": {"ke5": RINGS}, "L-none-440": {"ke5": RINGS},
+    "L-correct-880": {"ke5": RINGS}, "L-limited05-880": {"ke5": RINGS}, "L-none-880": {"ke2": RINGS, "ke5": RINGS},
+    "L-limited2-880": {"ke1": SLOW}, "L-monaghan05-880": {"ke1": SLOW, "ke2": SLOW},
+    "L-monaghan1-880": {"ke05": SLOW, "ke1": SLOW, "ke2": SLOW, "ke5": SLOW},
+}
+
+
+def misses(case):
+    return MISSES.get(case.name, {})
+
+
 def draw(results, file):
     import pictures
     figure, (stress, energy, errors) = pictures.axes(3, width=3.7)
@@ -124,4 +139,6 @@ def judge(results):
     return (f"At the finest resolution the kinetic energy is within 1 % of the reference at all four times for {good} of "
             f"{len(last)} methods; for *correct* the largest error is {worst[methods.DEFAULT]:.2%}, the smallest has "
             f"*{best.case.method.title}* ({best.case.method.group}) with {worst[best.case.method.key]:.2%}. The rear face "
-            f"moves with {REAR_SPEED + default['rear_speed']:.2f} m/s with *correct* (reference: {REAR_SPEED:g}).")
+            f"moves with {REAR_SPEED + default['rear_speed']:.2f} m/s with *correct* (reference: {REAR_SPEED:g}). A viscosity of "
+            f"first order errs most at first and converges; where the shock rings (:doc:`impact`), the error at 5 us grows "
+            f"with refinement.")

@@ -21,7 +21,7 @@ replaces the contact wall, and the shock is nine times stronger: viscosity has s
 
 A method that overshoots is wrong behind the shock too, at any resolution: what overshoots unloads again, elastically, and
 takes its share of the deviator along. The stress of the plateau misses that share of :math:`\frac{2}{3} Y`, and the
-shock is slower in proportion (column *its deviator*; without strength, in :doc:`noh`, the mean state is right however it rings).
+shock is slower in proportion, and the L1 error stops to fall (column *its deviator*; without strength, in :doc:`noh`, the mean state is right however it rings).
 """
 
 

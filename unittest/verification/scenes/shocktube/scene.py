@@ -113,6 +113,16 @@ def gates(case):
     return found
 
 
+def misses(case):
+    kind = case.method.key[2:]
+    if case.method.gradient == "corrected" and case.n >= FINEST and kind in ("correct", "none", "limited05"):
+        return {"speed": RUNS_AHEAD}
+    return {"speed": RUNS_AHEAD} if case.name == "L-none-400" else {}
+
+
+RUNS_AHEAD = "with too little viscosity the shock becomes a train of solitary waves that grow; the first runs ahead"
+
+
 def order_gates(cases):
     """The rarefaction and the contact keep the order of a smeared front below that of a shock."""
     method = cases[0].method

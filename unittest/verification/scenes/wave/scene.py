@@ -37,6 +37,10 @@ which goes to 1 for long waves while the plain form keeps the error :math:`s(0) 
 any resolution. The frequency of the leapfrog in time, :math:`\sin(\frac{1}{2} \omega' \Delta t) = \frac{1}{2} \omega
 \Delta t`, is part of the comparison.
 
+The styles that come with LAMMPS run on the same lattice with a range of 3 spacings: *smd/ulsph* with gradient correction and
+Q1 = 1, as in the Taylor rod of the examples; *sph/taitwater*, which is a fluid, with c = :math:`c_L` and :math:`\alpha` = 1.
+They brake particles that move apart as well, or do not tell a wave from a shock.
+
 The profile is compared after a period and an eighth, since an error of phase would not show at a maximum.
 """
 
