@@ -38,6 +38,7 @@ METHODS = [
     ours("monaghan1", "monaghan 1 1"),
     ours("limited05", "limited 0.5 0.5"),
     ours("limited2", "limited 2 2"),
+    ours("limited3", "limited 3 3"),
     ours("correct", "correct", "eulerian"),
     ours("none", "none", "eulerian"),
     ours("monaghan05", "monaghan 0.5 0.5", "eulerian"),

@@ -69,7 +69,7 @@ def misses(case):
     if case.n < FINEST or case.method.key[2:] in ("correct", "none", "limited05"):
         return {}
     heat = "viscous heat of the front"
-    return {"lost": heat} if case.method.key[2:] == "limited2" else {"lost": heat, "restitution": heat}
+    return {"lost": heat} if "limited" in case.method.key else {"lost": heat, "restitution": heat}
 
 
 def order_gates(cases):

@@ -102,7 +102,7 @@ RINGS = ("what overshoots takes a part of the deviator along (see impact): the e
 MISSES = {
     "L-correct-440": {"ke5": RINGS}, "L-none-440": {"ke5": RINGS},
     "L-correct-880": {"ke5": RINGS}, "L-limited05-880": {"ke5": RINGS}, "L-none-880": {"ke2": RINGS, "ke5": RINGS},
-    "L-limited2-880": {"ke1": SLOW}, "L-monaghan05-880": {"ke1": SLOW, "ke2": SLOW},
+    "L-limited2-880": {"ke1": SLOW}, "L-limited3-880": {"ke1": SLOW}, "L-monaghan05-880": {"ke1": SLOW, "ke2": SLOW},
     "L-monaghan1-880": {"ke05": SLOW, "ke1": SLOW, "ke2": SLOW, "ke5": SLOW},
 }
 

@@ -44,20 +44,26 @@ def gates(case):
     return found
 
 
-RINGING = ("correct", "none", "limited05", "limited2")    # the plateau lacks a part of the deviator at any resolution
+RINGING = ("correct", "none", "limited05", "limited2", "limited3")    # the plateau lacks a part of the deviator at any resolution
 
 
 def misses(case):
     kind, found = case.method.key[2:], {}
     if case.method.gradient == "plain" or case.n < 400:
         return found
-    if kind in RINGING:
+    if kind in RINGING and not (kind == "limited3" and case.n < two_waves.FINEST):
         found["plastic"] = two_waves.UNLOADED
         if case.method.frame == "eulerian" and kind in ("correct", "none"):
             found["elastic"] = two_waves.EXCESS
     if case.n >= two_waves.FINEST:
-        found.update({"hel": two_waves.EXCESS, "overshoot": TOO_LITTLE, "plateau": two_waves.UNLOADED} if kind in RINGING else
-                     {"plateau": two_waves.UNLOADED} if kind == "monaghan05" else {"hel": two_waves.FOOT})
+        if kind in RINGING:
+            found.update(hel=two_waves.EXCESS, plateau=two_waves.UNLOADED)
+        if kind in RINGING and kind != "limited3":
+            found["overshoot"] = TOO_LITTLE
+        if kind == "monaghan05":
+            found["plateau"] = two_waves.UNLOADED
+        if kind == "monaghan1":
+            found["hel"] = two_waves.FOOT
     return found
 
 

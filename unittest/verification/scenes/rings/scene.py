@@ -135,11 +135,12 @@ def draw(results, file):
 def judge(results):
     runs = series(results)
     stressed = {name: group for name, group in runs.items() if group[0].case.variables.get("tensile") == STRESS}
+    tried = {r.case.series for r in results if r.case.variables.get("tensile") == STRESS}    # E-none does not end
     whole = [name for name, group in stressed.items()
              if all(r.figures["broken"] < 1e-9 and not r.figures["joined"] for r in group)]
     bare = [group[-1].figures["broken"] for name, group in runs.items() if name.endswith("-bare")]
     first = runs[HEADLINE]
-    return (f"With artificial stress {len(whole)} of {len(stressed)} methods part whole on every lattice; without it the rings lose "
+    return (f"With artificial stress {len(whole)} of {len(tried)} methods part whole on every lattice; without it the rings lose "
             f"{100 * min(bare):.0f} to {100 * max(bare):.0f} % of their particles. With *correct* closest approach is " +
             ", ".join(f"{r.figures['nearest']:.1f} mm (n = {r.case.n})" for r in first) + ", rebound speed " +
             ", ".join(f"{r.figures['rebound']:.2f}" for r in first) + ", viscous heat " +

@@ -86,7 +86,7 @@ def mean(data, begin, end):
 
 # ---- judging ------------------------------------------------------------------------------------------------
 
-CENTRAL = ("none", "monaghan05", "monaghan1", "limited05", "limited2")    # viscosities along the line of the pair
+CENTRAL = ("none", "monaghan", "limited")    # viscosities along the line of the pair
 
 
 def gates(case):
@@ -95,7 +95,7 @@ def gates(case):
         return {"momentum": 1e-12}
     found = {"momentum": 1e-12, "total": 1e-12, "lost": 1e-2, "kinetic": 0.01}
     if method.frame == "lagrangian":
-        central = method.key[2:] in CENTRAL
+        central = method.key[2:].startswith(CENTRAL)
         found.update({"Lz": 1e-12 if central else 1e-4, "exact": cell + 1e-4})
     return found
 
@@ -152,7 +152,7 @@ def judge(results):
     got = {r.case.method.key: r.figures for r in common(results)}
     finest = series(results)[methods.DEFAULT]
     first = got[methods.DEFAULT]
-    central = max(got[key]["Lz"] for key in got if key[:2] == "L-" and key[2:] in CENTRAL)
+    central = max(got[key]["Lz"] for key in got if key[:2] == "L-" and key[2:].startswith(CENTRAL))
     plain = [got[key]["kinetic"] for key in got if key.startswith("P-")]
     return (f"With n = {common(results)[0].case.n} the Lagrangian frame keeps angular momentum to {central:.0e} with central "
             f"viscosities and to {first['Lz']:.0e} with *correct*, whose forces are not central; *correct* loses "

@@ -112,7 +112,7 @@ def measure(case):
 
 # ---- judging ------------------------------------------------------------------------------------------------
 
-FAITHFUL = ("none", "correct", "limited05", "limited2")    # what they take from a wave vanishes with refinement
+FAITHFUL = ("none", "correct", "limited05", "limited2", "limited3")    # what they take from a wave vanishes with refinement
 
 
 def faithful(method):
