@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
-from cases import H, LATTICES, VISCOSITIES, name_of
+from cases import H, LATTICES, VISCOSITIES, WALLS, name_of
 from running import at, columns, markdown, seconds, snapshots
 
 OUTPUT = HERE / "output"
@@ -148,12 +148,12 @@ def rows(cases):
     return blocks
 
 
-def refinement(cases):
+def refinement(cases, keys=("correct", "0.5"), wall="contact"):
     """[(frame, viscosity, {refine: figures})] of what has been run at the smoothing lengths of the study."""
     by_name, found = {case.name: case for case in cases}, []
     for frame in ("lagrangian", "eulerian"):
-        for key in ("correct", "0.5"):
-            names = {n: name_of(key, "contact", H[frame], frame, n) for n in LATTICES}
+        for key in keys:
+            names = {n: name_of(key, wall, H[frame], frame, n) for n in LATTICES}
             got = {n: figures(by_name[name]) for n, name in names.items() if name in by_name}
             got = {n: one for n, one in got.items() if one["end"] > 49.9}
             if len(got) > 1:
@@ -161,24 +161,25 @@ def refinement(cases):
     return found
 
 
-REFINE_HEAD = ("frame", "h", "viscosity", "particles", "length", "change", "foot", "change", "KE 10", "KE 20", "KE 30", "KE 40",
-               "viscous heat", "closest", "CPU s")
+REFINE_HEAD = ("wall", "frame", "h", "viscosity", "particles", "length", "change", "foot", "change", "KE 10", "KE 20", "KE 30",
+               "KE 40", "viscous heat", "closest", "CPU s")
 
 
 def refinement_rows(cases):
     table = []
-    for frame, key, lattices in refinement(cases):
-        before = None
-        for n, got in lattices.items():
-            table.append([frame, str(H[frame]), VISCOSITIES[key][0], LATTICES[n]] + sum(
-                ([f"{got[what]:.3f}", f"{got[what] - before[what]:+.3f}" if before else ""] for what in ("length", "foot")), []) +
-                [f"{ke:.3f}" for ke in got["ke"]] + [f"{got['viscous']:.3f}", f"{got['closest']:.2f}", f"{got['cpu']:.0f}"])
-            before = got
-    fe = reference("contact")
-    if table:
-        table.append(["finite elements", "", "", ""] + sum(([f"{at(50, fe['t_us'], fe[k]):.3f}", ""]
-                                                            for k in ("length_mm", "foot_mm")), []) +
-                     [f"{at(t, fe['t_us'], fe['ke']):.3f}" for t in TIMES] + [""] * 3)
+    for wall in WALLS:
+        for frame, key, lattices in refinement(cases, ("correct", "limited", "none", "0.5", "1.0"), wall):
+            before = None
+            for n, got in lattices.items():
+                table.append([wall, frame, str(H[frame]), VISCOSITIES[key][0], LATTICES[n]] + sum(
+                    ([f"{got[what]:.3f}", f"{got[what] - before[what]:+.3f}" if before else ""] for what in ("length", "foot")), []) +
+                    [f"{ke:.3f}" for ke in got["ke"]] + [f"{got['viscous']:.3f}", f"{got['closest']:.2f}", f"{got['cpu']:.0f}"])
+                before = got
+        fe = reference(wall)
+        if table and table[-1][0] == wall:
+            table.append([wall, "finite elements", "", "", ""] + sum(([f"{at(50, fe['t_us'], fe[k]):.3f}", ""]
+                                                                     for k in ("length_mm", "foot_mm")), []) +
+                         [f"{at(t, fe['t_us'], fe['ke']):.3f}" for t in TIMES] + [""] * 3)
     return table
 
 
@@ -211,7 +212,7 @@ def write_tables(cases):
     """All tables of what has been run: output/table.md, .csv; the text."""
     blocks = rows([case for case in cases if case.part not in ("refine", "speed")])
     parts = [(block, HEAD, table, 3) for block, table in blocks.items()]
-    parts += [("finer lattices", REFINE_HEAD, refinement_rows(cases), 4), ("speeds", SPEED_HEAD, speed_rows(cases), 0)]
+    parts += [("finer lattices", REFINE_HEAD, refinement_rows(cases), 5), ("speeds", SPEED_HEAD, speed_rows(cases), 0)]
     text = "\n".join(f"**{block}**\n\n{markdown(head, table, left)}" for block, head, table, left in parts if table)
     (OUTPUT / "table.md").write_text(text)
     with open(OUTPUT / "table.csv", "w", newline="") as file:
