@@ -52,6 +52,8 @@ def cases(level):
 def sizes(method, level):
     if level == "test":
         return (10,)
+    if method.secondary and method.frame == "lagrangian":
+        return 10, 20
     return (10, 20, 40) if method.frame == "lagrangian" else (5, 10, 20)    # the others cost three times as much
 
 
@@ -86,7 +88,7 @@ def mean(data, begin, end):
 
 # ---- judging ------------------------------------------------------------------------------------------------
 
-CENTRAL = ("none", "monaghan", "limited")    # viscosities along the line of the pair
+CENTRAL = ("none", "monaghan", "limited", "balsara", "safe", "front")    # viscosities along the line of the pair
 
 
 def gates(case):

@@ -61,6 +61,8 @@ def cases(level):
 
 
 def sizes(method):
+    if method.secondary and method.frame == "lagrangian":
+        return 5, 10
     return (5, 10, 20) if method.frame == "lagrangian" or method.key == "E-correct" else (5, 7, 10)
 
 
@@ -98,7 +100,7 @@ def gates(case):
     return {**found, "circle": 1e-9} if case.method.gradient == "corrected" and "lattice" not in case.variables else found
 
 
-FAITHFUL = ("none", "correct", "limited")    # these hardly heat a smooth flow
+FAITHFUL = ("none", "correct", "safe", "limited", "front")    # these hardly heat a smooth flow
 
 
 def misses(case):
