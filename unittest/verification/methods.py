@@ -58,4 +58,5 @@ METHODS = [
     Method("sph", "sph/* (SPH)", "styles that come with LAMMPS", "sph"),
 ]
 BY_KEY = {method.key: method for method in METHODS}
+WHOLE = ("monaghan", "balsara", "front")    # keys that begin so: the viscosity is whole in a shock
 DEFAULT = "L-correct"    # what a user gets who sets nothing

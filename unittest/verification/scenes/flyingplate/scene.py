@@ -103,6 +103,9 @@ MISSES = {
     "L-correct-440": {"ke5": RINGS}, "L-none-440": {"ke5": RINGS},
     "L-correct-880": {"ke5": RINGS}, "L-limited05-880": {"ke5": RINGS}, "L-none-880": {"ke2": RINGS, "ke5": RINGS},
     "L-limited2-880": {"ke1": SLOW}, "L-limited3-880": {"ke1": SLOW}, "L-monaghan05-880": {"ke1": SLOW, "ke2": SLOW},
+    "L-safe-880": {"ke5": RINGS},
+    "L-front-880": {"ke05": SLOW, "ke1": SLOW, "ke2": SLOW, "ke5": SLOW},
+    "L-balsara1-880": {"ke05": SLOW, "ke1": SLOW, "ke2": SLOW, "ke5": SLOW},
     "L-monaghan1-880": {"ke05": SLOW, "ke1": SLOW, "ke2": SLOW, "ke5": SLOW},
 }
 
