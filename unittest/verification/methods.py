@@ -15,7 +15,6 @@ class Method:
     variables: dict = field(default_factory=dict, compare=False)
     gradient: str = ""      # corrected or plain
     frame: str = ""
-    secondary: bool = False    # on the coarser lattices only where runs are long
 
     def script(self, scene):
         return f"in.{scene}.{self.stock}" if self.stock else f"in.{scene}"
@@ -25,12 +24,11 @@ H = {"lagrangian": 1.0, "eulerian": 1.3}      # smoothing length in spacings, as
 CFL = {"lagrangian": 0.6, "eulerian": 0.3}    # as doc/fix_sph_solid_dt.rst recommends
 
 
-def ours(key, viscosity, frame="lagrangian", gradient="corrected", title=None, secondary=False, **variables):
+def ours(key, viscosity, frame="lagrangian", gradient="corrected", title=None, **variables):
     group = "Lagrangian frame" if frame == "lagrangian" else f"Eulerian frame, {gradient} gradients"
     initial = {"lagrangian": "L", "eulerian": "E" if gradient == "corrected" else "P"}[frame]
     settings = {"frame": frame, "viscosity": viscosity, "gradient": gradient, "h": H[frame], "cfl": CFL[frame]}
-    return Method(f"{initial}-{key}", title or viscosity, group, "", {**settings, **variables}, gradient, frame,
-                  secondary)
+    return Method(f"{initial}-{key}", title or viscosity, group, "", {**settings, **variables}, gradient, frame)
 
 
 METHODS = [
@@ -41,16 +39,16 @@ METHODS = [
     ours("limited05", "limited 0.5 0.5"),
     ours("limited2", "limited 2 2"),
     ours("limited3", "limited 3 3"),
-    ours("balsara1", "balsara 1 1", secondary=True),
-    ours("safe", "correct weights safe", secondary=True),
-    ours("front", "front", secondary=True),
+    ours("balsara1", "balsara 1 1"),
+    ours("safe", "correct weights safe"),
+    ours("front", "front"),
     ours("correct", "correct", "eulerian"),
     ours("none", "none", "eulerian"),
     ours("monaghan05", "monaghan 0.5 0.5", "eulerian"),
     ours("monaghan1", "monaghan 1 1", "eulerian"),
-    ours("limited2", "limited 2 2", "eulerian", secondary=True),
-    ours("safe", "correct weights safe", "eulerian", secondary=True),
-    ours("front", "front", "eulerian", secondary=True),
+    ours("limited2", "limited 2 2", "eulerian"),
+    ours("safe", "correct weights safe", "eulerian"),
+    ours("front", "front", "eulerian"),
     ours("correct", "correct", "eulerian", "plain"),
     ours("monaghan1", "monaghan 1 1", "eulerian", "plain"),
     Method("ulsph", "smd/ulsph (MACHDYN)", "styles that come with LAMMPS", "ulsph"),

@@ -63,8 +63,6 @@ FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
 def sizes(method, level):
     if level == "test":
         return (4, 8) if method.frame == "lagrangian" else (4,)
-    if method.secondary and method.frame == "lagrangian":
-        return 5, 10
     return (5, 10, 20) if method.frame == "lagrangian" else (5, 7, 10)    # finer the Eulerian plate breaks sooner
 
 

@@ -64,8 +64,6 @@ def cases(level):
 def sizes(method, level):
     if level == "test":
         return (10, 20) if method.frame == "lagrangian" else (10,)
-    if method.secondary:
-        return COARSE if method.frame == "lagrangian" else COARSE[:2]
     return FINE if method.key in FEW else COARSE
 
 

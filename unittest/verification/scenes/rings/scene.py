@@ -61,8 +61,8 @@ FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
 
 def sizes(method, level):
     if level == "test":
-        return (4,) if method.key in ("E-correct", "E-monaghan1") else ()
-    return (4, 6, 8) if method.key in ("E-correct", "E-monaghan1") else (4, 6)
+        return (4,) if method.key in ("E-correct", "E-monaghan1", "E-front") else ()
+    return (4, 6, 8) if method.key in ("E-correct", "E-monaghan1", "E-front") else (4, 6)
 
 
 def both(method, n):

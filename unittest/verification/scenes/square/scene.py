@@ -55,8 +55,6 @@ FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
 def sizes(method, level):
     if level == "test":
         return (10,)
-    if method.secondary and method.frame == "lagrangian":
-        return 10, 20
     return (10, 20, 40) if method.frame == "lagrangian" else (5, 10, 20)    # the others cost three times as much
 
 

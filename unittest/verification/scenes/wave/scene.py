@@ -161,9 +161,12 @@ PLAIN = "plain gradients have an error of stiffness that does not depend on n"
 def draw(results, file):
     import pictures
     figure, (left, right) = pictures.axes(2)
+    large = [r for r in results if not r.failed and r.case.series == "L-balsara1-large"]
     results = bodies.main_series(results)
-    pictures.convergence(left, results, "profile")
-    pictures.convergence(right, results, "lost", 1e-6)
+    for axes, name in ((left, "profile"), (right, "lost")):
+        pictures.convergence(axes, results, name, 1e-6)
+        axes.loglog([r.case.n for r in large], [r.figures[name] for r in large], ":s", ms=4, color=pictures.COLOURS["balsara1"],
+                    label="Lagrangian: balsara 1 1, large")
     pictures.slope(left, 2, 50, 8e-3)
     right.axhline(TARGETS["lost"], color="k", lw=0.7)
     left.set(xlabel="particles a wavelength", ylabel="L2 error of the velocity at t = 9/8 T")
