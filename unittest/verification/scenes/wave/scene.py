@@ -164,9 +164,9 @@ def draw(results, file):
     large = [r for r in results if not r.failed and r.case.series == "L-balsara1-large"]
     results = bodies.main_series(results)
     for axes, name in ((left, "profile"), (right, "lost")):
-        pictures.convergence(axes, results, name, 1e-6)
         axes.loglog([r.case.n for r in large], [r.figures[name] for r in large], ":s", ms=4, color=pictures.COLOURS["balsara1"],
                     label="Lagrangian: balsara 1 1, large")
+        pictures.convergence(axes, results, name, 1e-6)
     pictures.slope(left, 2, 50, 8e-3)
     right.axhline(TARGETS["lost"], color="k", lw=0.7)
     left.set(xlabel="particles a wavelength", ylabel="L2 error of the velocity at t = 9/8 T")
