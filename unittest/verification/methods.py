@@ -39,10 +39,16 @@ METHODS = [
     ours("limited05", "limited 0.5 0.5"),
     ours("limited2", "limited 2 2"),
     ours("limited3", "limited 3 3"),
+    ours("balsara1", "balsara 1 1"),
+    ours("safe", "correct weights safe"),
+    ours("front", "front"),
     ours("correct", "correct", "eulerian"),
     ours("none", "none", "eulerian"),
     ours("monaghan05", "monaghan 0.5 0.5", "eulerian"),
     ours("monaghan1", "monaghan 1 1", "eulerian"),
+    ours("limited2", "limited 2 2", "eulerian"),
+    ours("safe", "correct weights safe", "eulerian"),
+    ours("front", "front", "eulerian"),
     ours("correct", "correct", "eulerian", "plain"),
     ours("monaghan1", "monaghan 1 1", "eulerian", "plain"),
     Method("ulsph", "smd/ulsph (MACHDYN)", "styles that come with LAMMPS", "ulsph"),
@@ -50,4 +56,5 @@ METHODS = [
     Method("sph", "sph/* (SPH)", "styles that come with LAMMPS", "sph"),
 ]
 BY_KEY = {method.key: method for method in METHODS}
+WHOLE = ("monaghan", "balsara", "front")    # keys that begin so: the viscosity is whole in a shock
 DEFAULT = "L-correct"    # what a user gets who sets nothing

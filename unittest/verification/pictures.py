@@ -7,6 +7,7 @@ from catalogue import series
 from drawing import plt, save
 
 COLOURS = {"correct": "C3", "none": "0.5", "monaghan05": "C0", "monaghan1": "C9", "limited05": "C2", "limited2": "C8", "limited3": "C1",
+           "balsara1": "navy", "safe": "maroon", "front": "magenta",
            "ulsph": "C4", "tlsph": "C5", "sph": "C6"}
 LINES = {"Lagrangian frame": "-", "Eulerian frame, corrected gradients": "--", "Eulerian frame, plain gradients": ":"}
 LETTERS = {"Lagrangian frame": "Lagrangian", "Eulerian frame, corrected gradients": "Eulerian",

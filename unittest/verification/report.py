@@ -107,7 +107,7 @@ def pair(method):
 
 def failures(scene, results):
     lines = [f"* {r.case.method.title} ({r.case.method.group}), n = {r.case.n}: {r.case.may_fail or 'stopped'} "
-             f"(``{r.failed.strip()[:160]}``)\n" for r in results if r.failed]
+             f"(``{r.failed[:160].strip()}``)\n" for r in results if r.failed]
     for method in methods.METHODS:
         reason = optional(scene, "cannot", "", method)
         if reason:

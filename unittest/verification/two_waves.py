@@ -123,7 +123,7 @@ UNLOADED = ("what overshoots unloads again, elastically, and takes its share of 
 
 def calm(method):
     """So viscous that no shock overshoots."""
-    return method.key[2:] == "monaghan1"
+    return method.key[2:] in ("monaghan1", "balsara1")
 
 
 def gates(case, problem, interval):
@@ -143,7 +143,8 @@ def gates(case, problem, interval):
 
 def order_gates(cases):
     """A linear front that a method of order p spreads converges with p/(p + 1) in L1: 1/2 with a viscosity."""
-    return {"l1": 0.45} if "monaghan" in cases[0].method.key and cases[0].method.gradient == "corrected" else {}
+    method = cases[0].method
+    return {"l1": 0.45} if method.key[2:].startswith(methods.WHOLE) and method.gradient == "corrected" else {}
 
 
 def judge(results):

@@ -66,7 +66,9 @@ def gates(case):
 
 def misses(case):
     """A viscosity of first order takes what the wave loses at its two fronts."""
-    if case.n < FINEST or case.method.key[2:] in ("correct", "none", "limited05"):
+    if case.name == "E-front-50":
+        return {"force": "stress comes up to its value slowly behind the front, a third as far off with n = 100"}
+    if case.n < FINEST or case.method.key[2:] in ("correct", "safe", "none", "limited05"):
         return {}
     heat = "viscous heat of the front"
     return {"lost": heat} if "limited" in case.method.key else {"lost": heat, "restitution": heat}

@@ -39,12 +39,12 @@ def measure(case):
 
 def gates(case):
     found = two_waves.gates(case, PROBLEM, 2.5e-6)
-    if "plateau" in found:
+    if "plateau" in found or (case.method.key[2:] == "front" and case.n >= 200):
         found["overshoot"] = TARGETS["overshoot"]
     return found
 
 
-RINGING = ("correct", "none", "limited05", "limited2", "limited3")    # the plateau lacks a part of the deviator at any resolution
+RINGING = ("correct", "safe", "none", "limited05", "limited2", "limited3")    # the plateau lacks a part of the deviator at any n
 
 
 def misses(case):
@@ -53,16 +53,16 @@ def misses(case):
         return found
     if kind in RINGING and not (kind == "limited3" and case.n < two_waves.FINEST):
         found["plastic"] = two_waves.UNLOADED
-        if case.method.frame == "eulerian" and kind in ("correct", "none"):
+        if case.method.frame == "eulerian" and kind in ("correct", "safe", "none"):
             found["elastic"] = two_waves.EXCESS
     if case.n >= two_waves.FINEST:
         if kind in RINGING:
             found.update(hel=two_waves.EXCESS, plateau=two_waves.UNLOADED)
         if kind in RINGING and kind != "limited3":
             found["overshoot"] = TOO_LITTLE
-        if kind == "monaghan05":
+        if kind in ("monaghan05", "front"):
             found["plateau"] = two_waves.UNLOADED
-        if kind == "monaghan1":
+        if kind in ("monaghan1", "balsara1", "front"):
             found["hel"] = two_waves.FOOT
     return found
 

@@ -4,6 +4,7 @@ import methods
 import profiles
 import shock
 import stock
+import two_waves
 from catalogue import Figure, finest, order, series, usual_cases
 from running import columns, snapshots
 
@@ -88,13 +89,13 @@ def gates(case):
     found = {"energy": 1e-12}
     if case.method.key[2:] != "none":
         found["rho"] = 0.003
-    if case.n >= FINEST or (case.method.gradient == "corrected" and case.method.key[2:] == "monaghan1"):
+    if case.n >= FINEST or (case.method.gradient == "corrected" and two_waves.calm(case.method)):
         found.update(speed=TARGETS["speed"], plateau=TARGETS["plateau"])
     return found
 
 
 def misses(case):
-    if case.n < FINEST or case.method.key[2:] not in ("correct", "none", "limited05"):
+    if case.n < FINEST or case.method.key[2:] not in ("correct", "safe", "none", "limited05"):
         return {}
     return {"speed": RUNS_AHEAD, "plateau": RUNS_AHEAD} if case.method.key[2:] == "none" else {"speed": RUNS_AHEAD}
 
@@ -104,7 +105,7 @@ RUNS_AHEAD = "with too little viscosity the shock becomes a train of solitary wa
 
 def order_gates(cases):
     method = cases[0].method
-    return {"l1": 0.75} if "monaghan" in method.key and method.gradient == "corrected" else {}
+    return {"l1": 0.75} if method.key[2:].startswith(methods.WHOLE) and method.gradient == "corrected" else {}
 
 
 def draw(results, file):

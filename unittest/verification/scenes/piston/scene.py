@@ -48,9 +48,9 @@ def gates(case):
 
 
 def misses(case):
-    if case.n < two_waves.FINEST or case.method.key == "L-monaghan05":
+    if case.n < two_waves.FINEST or case.method.key in ("L-monaghan05", "L-balsara1"):
         return {}
-    return {"hel": two_waves.FOOT if two_waves.calm(case.method) else two_waves.EXCESS}
+    return {"hel": two_waves.FOOT if case.method.key[2:].startswith(methods.WHOLE) else two_waves.EXCESS}
 
 
 def draw(results, file):

@@ -48,10 +48,10 @@ def plate(method, n, clamp="fixed"):
 
 def sizes(method, level):
     if level == "test":
-        return (4,) if method.key in (methods.DEFAULT, "L-none", "L-monaghan1", "E-correct") else ()
+        return (4,) if method.key in (methods.DEFAULT, "L-none", "L-monaghan1", "L-front", "E-correct") else ()
     if method.key == methods.DEFAULT:
         return 5, 10, 20
-    return (5, 10) if method.key in ("L-none", "L-monaghan1") else (5,)    # 20 s and more at n = 10
+    return (5, 10) if method.key in ("L-none", "L-monaghan1", "L-front") else (5,)    # 20 s and more at n = 10
 
 
 def cost(method):

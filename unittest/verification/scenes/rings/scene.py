@@ -61,8 +61,8 @@ FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
 
 def sizes(method, level):
     if level == "test":
-        return (4,) if method.key in ("E-correct", "E-monaghan1") else ()
-    return (4, 6, 8) if method.key in ("E-correct", "E-monaghan1") else (4, 6)
+        return (4,) if method.key in ("E-correct", "E-monaghan1", "E-front") else ()
+    return (4, 6, 8) if method.key in ("E-correct", "E-monaghan1", "E-front") else (4, 6)
 
 
 def both(method, n):
@@ -110,9 +110,9 @@ def gates(case):
 def misses(case):
     torn = "without artificial stress particles in tension pair up, and the rings tear"
     if case.variables.get("tensile") == "none":
-        return {"broken": torn, "joined": torn}
+        return {"broken": torn} if case.method.key == "E-safe" else {"broken": torn, "joined": torn}
     pumped = "particles pair up all the same; artificial stress drives them, and what it drives becomes heat"
-    return {"heat": pumped} if case.method.key == "E-correct" and case.n >= 8 else {}
+    return {"heat": pumped} if case.n >= {"E-correct": 8, "E-safe": 6}.get(case.method.key, math.inf) else {}
 
 
 def draw(results, file):

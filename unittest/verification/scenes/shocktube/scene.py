@@ -108,14 +108,14 @@ def gates(case):
         found.update(speed=TARGETS["speed"], star=TARGETS["star"])
     elif case.method.gradient == "corrected":
         found["speed"] = 2 * HALF / case.n / (tube().star_right.speed * 50e-6)
-        if "monaghan" in case.method.key and case.n >= 200:
+        if case.method.key[2:].startswith(methods.WHOLE) and case.n >= 200:
             found["star"] = 2 * TARGETS["star"]
     return found
 
 
 def misses(case):
     kind = case.method.key[2:]
-    if case.method.gradient == "corrected" and case.n >= FINEST and kind in ("correct", "none", "limited05"):
+    if case.method.gradient == "corrected" and case.n >= FINEST and kind in ("correct", "safe", "none", "limited05"):
         return {"speed": RUNS_AHEAD}
     return {"speed": RUNS_AHEAD} if case.name == "L-none-400" else {}
 
@@ -126,7 +126,7 @@ RUNS_AHEAD = "with too little viscosity the shock becomes a train of solitary wa
 def order_gates(cases):
     """The rarefaction and the contact keep the order of a smeared front below that of a shock."""
     method = cases[0].method
-    return {"l1": 0.6} if "monaghan" in method.key and method.gradient == "corrected" else {}
+    return {"l1": 0.6} if method.key[2:].startswith(methods.WHOLE) and method.gradient == "corrected" else {}
 
 
 def draw(results, file):

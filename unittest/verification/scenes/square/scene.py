@@ -44,9 +44,12 @@ def cases(level):
     found = [case("square", method, n, weight=cost(method) * (n / 20) ** 3, turns=TURNS)
              for method in methods.METHODS if not cannot(method) for n in sizes(method, level)]
     for each in found:
-        if each.method.key == "E-none" and each.n >= 20:
-            each.may_fail = "particles in tension pair up, and nothing damps them"
+        each.may_fail = FAILS.get(each.method.key, "") if each.n >= 20 else ""
     return found
+
+
+FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
+         "E-safe": "particles in tension pair up, and too little damps them"}
 
 
 def sizes(method, level):
@@ -86,7 +89,7 @@ def mean(data, begin, end):
 
 # ---- judging ------------------------------------------------------------------------------------------------
 
-CENTRAL = ("none", "monaghan", "limited")    # viscosities along the line of the pair
+CENTRAL = ("none", "monaghan", "limited", "balsara", "safe", "front")    # viscosities along the line of the pair
 
 
 def gates(case):
@@ -103,6 +106,8 @@ def gates(case):
 def misses(case):
     if case.method.gradient == "plain":
         return {"lost": PLAIN, "kinetic": PLAIN}
+    if case.name == "E-front-20":
+        return {"kinetic": TENSION}
     pairs_up = case.method.key in ("E-correct", "E-monaghan05") and case.n >= 20
     return {"lost": TENSION, "kinetic": TENSION} if pairs_up else {}
 
