@@ -38,9 +38,10 @@ def empty(output):
             old.unlink()
 
 
-def simulate(here, lmp, case):
-    command = [lmp, "-in", case.script, "-log", f"output/{case.name}.log", "-screen", "none"]
-    for name, value in {**case.variables, "label": case.name}.items():
+def simulate(here, lmp, case, output="output"):
+    command = [lmp, "-in", case.script, "-log", f"{output}/{case.name}.log", "-screen", "none"]
+    elsewhere = {} if str(output) == "output" else {"out": output}    # the default of all inputs
+    for name, value in {**case.variables, **elsewhere, "label": case.name}.items():
         command += ["-var", name, str(value)]
     say("+", shlex.join(command))
     start = time.monotonic()
@@ -49,13 +50,13 @@ def simulate(here, lmp, case):
     return case, result, time.monotonic() - start
 
 
-def simulate_all(here, lmp, cases):
+def simulate_all(here, lmp, cases, output="output"):
     """Runs the cases; {name: last error message} of those that did not come to their end."""
     workers = int(os.environ.get("JOBS") or min(2, os.cpu_count() or 1))
     total, done, start, failed = sum(case.weight for case in cases), 0.0, time.monotonic(), {}
     say("+ cd", shlex.quote(os.path.relpath(here)))
     with ThreadPoolExecutor(workers) as pool:
-        waiting = {pool.submit(simulate, here, lmp, case) for case in sorted(cases, key=lambda c: -c.weight)}
+        waiting = {pool.submit(simulate, here, lmp, case, output) for case in sorted(cases, key=lambda c: -c.weight)}
         count = 0
         while waiting:
             finished, waiting = wait(waiting, return_when=FIRST_COMPLETED)
@@ -65,7 +66,7 @@ def simulate_all(here, lmp, cases):
                 left = (time.monotonic() - start) * (total - done) / done
                 say(f"[{count}/{len(cases)}] {case.name}: {seconds:.1f} s, about {left:.0f} s left")
                 if result.returncode:
-                    failed[case.name] = last_error(here / "output" / f"{case.name}.log")
+                    failed[case.name] = last_error(here / output / f"{case.name}.log")
                     say(f"{case.name} ended with status {result.returncode}: {failed[case.name]}", result.stderr)
     return failed
 

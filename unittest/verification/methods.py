@@ -1,0 +1,52 @@
+"""The methods that every verification scene is run with, as data: add a line here and all tables get a row.
+
+A method of this package is a set of variables for the input in.<scene>. One of the styles that come with LAMMPS has
+an input of its own, in.<scene>.<style>; a scene says in cannot(method) why it has none."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Method:
+    key: str                # in file names and data
+    title: str              # in tables
+    group: str              # rows of a group stand together
+    stock: str = ""         # ending of the input of a style that comes with LAMMPS: ulsph, tlsph, sph
+    variables: dict = field(default_factory=dict, compare=False)
+    gradient: str = ""      # corrected or plain
+    frame: str = ""
+
+    def script(self, scene):
+        return f"in.{scene}.{self.stock}" if self.stock else f"in.{scene}"
+
+
+H = {"lagrangian": 1.0, "eulerian": 1.3}      # smoothing length in spacings, as doc/pair_sph_solid.rst recommends
+CFL = {"lagrangian": 0.6, "eulerian": 0.3}    # as doc/fix_sph_solid_dt.rst recommends
+
+
+def ours(key, viscosity, frame="lagrangian", gradient="corrected", title=None, **variables):
+    group = "Lagrangian frame" if frame == "lagrangian" else f"Eulerian frame, {gradient} gradients"
+    initial = {"lagrangian": "L", "eulerian": "E" if gradient == "corrected" else "P"}[frame]
+    settings = {"frame": frame, "viscosity": viscosity, "gradient": gradient, "h": H[frame], "cfl": CFL[frame]}
+    return Method(f"{initial}-{key}", title or viscosity, group, "", {**settings, **variables}, gradient, frame)
+
+
+METHODS = [
+    ours("correct", "correct"),
+    ours("none", "none"),
+    ours("monaghan05", "monaghan 0.5 0.5"),
+    ours("monaghan1", "monaghan 1 1"),
+    ours("limited05", "limited 0.5 0.5"),
+    ours("limited2", "limited 2 2"),
+    ours("correct", "correct", "eulerian"),
+    ours("none", "none", "eulerian"),
+    ours("monaghan05", "monaghan 0.5 0.5", "eulerian"),
+    ours("monaghan1", "monaghan 1 1", "eulerian"),
+    ours("correct", "correct", "eulerian", "plain"),
+    ours("monaghan1", "monaghan 1 1", "eulerian", "plain"),
+    Method("ulsph", "smd/ulsph (MACHDYN)", "styles that come with LAMMPS", "ulsph"),
+    Method("tlsph", "smd/tlsph (MACHDYN)", "styles that come with LAMMPS", "tlsph"),
+    Method("sph", "sph/* (SPH)", "styles that come with LAMMPS", "sph"),
+]
+BY_KEY = {method.key: method for method in METHODS}
+DEFAULT = "L-correct"    # what a user gets who sets nothing

@@ -1,0 +1,53 @@
+"""What the pictures of all scenes share: a colour for each viscosity, a line for each frame, a legend beside."""
+
+from catalogue import series
+from drawing import plt, save
+
+COLOURS = {"correct": "C3", "none": "0.5", "monaghan05": "C0", "monaghan1": "C9", "limited05": "C2", "limited2": "C8",
+           "ulsph": "C4", "tlsph": "C5", "sph": "C6"}
+LINES = {"Lagrangian frame": "-", "Eulerian frame, corrected gradients": "--", "Eulerian frame, plain gradients": ":"}
+LETTERS = {"Lagrangian frame": "Lagrangian", "Eulerian frame, corrected gradients": "Eulerian",
+           "Eulerian frame, plain gradients": "Eulerian, plain"}
+
+
+def look(method):
+    """Keywords of a line for this method; methods that are new get a colour of their own."""
+    key = method.key.split("-")[-1]
+    return {"color": COLOURS.get(key, f"C{sum(map(ord, key)) % 10}"), "linestyle": LINES.get(method.group, "-."),
+            "linewidth": 1.2}
+
+
+def label(method):
+    return f"{LETTERS[method.group]}: {method.title}" if method.group in LETTERS else method.title
+
+
+def axes(count, width=4.4, height=3.6):
+    """A figure with so many axes, and room on the right for legend()."""
+    figure, grid = plt.subplots(1, count + 1, figsize=(width * count + 2.4, height), layout="constrained",
+                                gridspec_kw={"width_ratios": [width] * count + [2.4]})
+    grid[-1].axis("off")
+    return figure, grid[:-1]
+
+
+def legend(figure, source):
+    """All lines of the axes source, in the room on the right."""
+    handles, labels = source.get_legend_handles_labels()
+    figure.axes[-1].legend(handles, labels, loc="center left", fontsize=7, borderaxespad=0)
+
+
+def convergence(axes, results, name, floor=0.0):
+    """Error against n for all series."""
+    for _, group in series(results).items():
+        method = group[0].case.method
+        axes.loglog([r.case.n for r in group], [max(abs(r.figures[name]), floor) for r in group], marker="o", ms=3,
+                    label=label(method), **look(method))
+    sizes = sorted({r.case.n for r in results})
+    axes.set_xticks(sizes, [str(n) for n in sizes])
+    axes.minorticks_off()
+
+
+def slope(axes, order, n, value):
+    """A thin line of the given order through (n, value), over a factor of four."""
+    ends = [n, 4 * n]
+    axes.loglog(ends, [value * (m / n) ** -order for m in ends], "k", lw=0.7)
+    axes.annotate(f"order {order}", (ends[1], value * 4.0 ** -order), fontsize=7, ha="right", va="top")

@@ -1,0 +1,101 @@
+"""An elastic bar runs against a rigid wall and leaves it: contact time, restitution, energy lost."""
+
+import methods
+from catalogue import Figure, case
+from running import columns
+
+TITLE = "Elastic bar on a rigid wall"
+
+ABOUT = r"""
+A bar of iron (elastic, uniaxial strain; n cells along it) runs with 1 m/s against a rigid wall (*contact*). Exact, in
+the linear limit: a wave with the stress :math:`\rho c_L v` runs to the free end, comes back as a release, and after
+:math:`2 L / c_L` the bar leaves the wall with the velocity it came with and without any stress: restitution 1, no
+kinetic energy lost; half-way the kinetic energy is zero. (Any textbook on stress waves, for instance K. F. Graff, Wave
+Motion in Elastic Solids, 1975, chapter 2; here with the stiffness of uniaxial strain.)
+
+What a *contact* wall takes at once, the kinetic energy of the half cells that hit it, is 1/(2 n) of the whole, and is
+counted as wall work. Contact time: until the force of the wall falls below half of :math:`\rho c_L v` for the last
+time; restitution: momentum at :math:`3 L / c_L` over that before.
+"""
+
+FIGURES = [
+    Figure("contact", "contact time", "{:+.2%}", order=True),
+    Figure("restitution", "restitution - 1", "{:+.2%}", order=True),
+    Figure("lost", "kinetic energy lost", "{:.2%}", order=True),
+    Figure("wall", "of it by the wall", "{:.2%}"),
+    Figure("viscous", "of it viscous heat", "{:.2%}"),
+    Figure("rest", "least kinetic energy", "{:.2%}"),
+    Figure("force", "force of the wall, mean", "{:+.2%}"),
+    Figure("energy", "drift of the total energy", "{:.0e}"),
+]
+TARGETS = {"contact": 0.01, "restitution": 0.01, "lost": 0.01, "energy": 1e-5}
+
+
+def cases(level):
+    sizes = (50, 100) if level == "test" else (100, 200, 400)
+    return [case("bar", method, n, weight=0.6 * (n / 100) ** 2 * (1 if method.frame == "lagrangian" else 3))
+            for method in methods.METHODS if not cannot(method) for n in sizes]
+
+
+def cannot(method):
+    return "has no rigid wall that acts on a face of a solid" if method.stock else ""
+
+
+def measure(case):
+    data = columns(case.csv)
+    t, force = data["passages"], data["force"]
+    last = max(k for k in range(len(t) - 1) if force[k] >= 0.5)
+    leaves = t[last] + (t[last + 1] - t[last]) * (force[last] - 0.5) / (force[last] - force[last + 1])
+    steady = [f for x, f in zip(t, force) if 0.5 < x < 1.5]
+    return {"contact": 0.5 * leaves - 1, "restitution": data["momentum"][-1] - 1, "lost": 1 - data["kinetic"][-1],
+            "wall": data["wall"][-1], "viscous": data["viscous"][-1], "rest": min(data["kinetic"]),
+            "force": sum(steady) / len(steady) - 1, "energy": max(abs(e / data["total"][0] - 1) for e in data["total"])}
+
+
+FINEST = 400    # cells at which the targets are to be met
+
+
+def gates(case):
+    """What the wall takes is known exactly, the steady force too where the stiffness is right."""
+    found = {"energy": 1e-12, "wall": 0.5 / case.n * (1 + 1e-6)}
+    if case.method.gradient == "corrected":
+        found["force"] = 1e-3
+    if case.n >= FINEST:
+        found.update({name: TARGETS[name] for name in ("contact", "restitution", "lost")})
+    return found
+
+
+def order_gates(cases):
+    """A linear front that a method of order p spreads converges with p/(p + 1): 1/2 with a viscosity, 2/3 without."""
+    return {"lost": 0.45} if cases[0].method.gradient == "corrected" else {}
+
+
+def draw(results, file):
+    import pictures
+    figure, (force, lost, left) = pictures.axes(3, width=3.7)
+    finest = max(r.case.n for r in results)
+    for r in results:
+        if not r.failed and r.case.n == finest and r.case.method.frame == "lagrangian" and r.case.csv.exists():
+            data, colour = columns(r.case.csv), pictures.look(r.case.method)["color"]
+            force.plot(data["passages"], data["force"], lw=1, color=colour)
+            left.plot(data["passages"], data["kinetic"], lw=1, color=colour)
+    force.plot([0, 2, 2, 3], [1, 1, 0, 0], "k", lw=0.8, zorder=0)
+    left.plot([0, 1, 2, 3], [1, 0, 1, 1], "k", lw=0.8, zorder=0)
+    force.set(xlabel="time (passages)", ylabel="force of the wall / exact", ylim=(-0.1, 1.6),
+              title=f"Lagrangian frame, n = {finest}; black: exact")
+    left.set(xlabel="time (passages)", ylabel="kinetic energy / initial")
+    pictures.convergence(lost, results, "lost", 1e-5)
+    pictures.slope(lost, 1, 100, 4e-3)
+    lost.set(xlabel="n", ylabel="kinetic energy lost")
+    pictures.legend(figure, lost)
+    pictures.save(figure, file.parent, file.stem)
+
+
+def judge(results):
+    finest = [r for r in results if not r.failed and r.case.n == max(r.case.n for r in results)]
+    got = {r.case.method.key: r.figures for r in finest}
+    default, standard = got[methods.DEFAULT], got["L-monaghan1"]
+    within = sum(abs(r.figures["contact"]) <= TARGETS["contact"] for r in finest)
+    return (f"At n = {finest[0].case.n} *correct* loses {default['lost']:.2%} of the kinetic energy, of it "
+            f"{default['wall']:.2%} at the wall, and *monaghan 1 1* {standard['lost']:.2%}; {within} of {len(finest)} "
+            f"methods have the contact time within {TARGETS['contact']:.0%}.")
