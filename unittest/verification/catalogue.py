@@ -81,6 +81,19 @@ def case(scene, method, n, weight=1.0, suffix="", **variables):
                 method.script(scene), weight, series=method.key + suffix)
 
 
+def usual_cases(scene, level, test, report, seconds, cannot):
+    """The usual cases: all methods that can run, at the sizes of the level. The Eulerian frame, whose steps are shorter and
+    cost three times as much, stops a size earlier in the report, with one more at the coarse end.
+    seconds: what a run at the first size of the report takes in the Lagrangian frame; it grows with n squared."""
+    found = []
+    for method in methods.METHODS:
+        slow = method.frame == "eulerian"
+        sizes = test if level == "test" else (report[0] // 2, *report[:-1]) if slow else report
+        if not cannot(method):
+            found += [case(scene, method, n, seconds * (n / report[0]) ** 2 * (5 if slow else 1)) for n in sizes]
+    return found
+
+
 # ---- scenes -------------------------------------------------------------------------------------------------
 
 def names():
@@ -167,6 +180,11 @@ def series(results):
         if not each.failed:
             found.setdefault(each.case.series or each.case.method.key, []).append(each)
     return found
+
+
+def finest(results):
+    """The finest result of each series."""
+    return [group[-1] for group in series(results).values()]
 
 
 def order(results, figure):

@@ -1,5 +1,8 @@
 """What the pictures of all scenes share: a colour for each viscosity, a line for each frame, a legend beside."""
 
+from matplotlib.ticker import LogFormatterSciNotation, NullLocator
+
+import methods
 from catalogue import series
 from drawing import plt, save
 
@@ -31,7 +34,9 @@ def axes(count, width=4.4, height=3.6):
 
 def legend(figure, source):
     """All lines of the axes source, in the room on the right."""
-    handles, labels = source.get_legend_handles_labels()
+    rank = {label(method): k for k, method in enumerate(methods.METHODS)}
+    entries = sorted(zip(*source.get_legend_handles_labels()), key=lambda entry: rank.get(entry[1], len(rank)))
+    handles, labels = zip(*entries)
     figure.axes[-1].legend(handles, labels, loc="center left", fontsize=7, borderaxespad=0)
 
 
@@ -43,11 +48,13 @@ def convergence(axes, results, name, floor=0.0):
                     label=label(method), **look(method))
     sizes = sorted({r.case.n for r in results})
     axes.set_xticks(sizes, [str(n) for n in sizes])
-    axes.minorticks_off()
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_minor_formatter(LogFormatterSciNotation(minor_thresholds=(1, 0.4)))
+    axes.tick_params(axis="y", which="minor", labelsize=7)
 
 
 def slope(axes, order, n, value):
     """A thin line of the given order through (n, value), over a factor of four."""
     ends = [n, 4 * n]
-    axes.loglog(ends, [value * (m / n) ** -order for m in ends], "k", lw=0.7)
+    axes.plot(ends, [value * (m / n) ** -order for m in ends], "k", lw=0.7)
     axes.annotate(f"order {order}", (ends[1], value * 4.0 ** -order), fontsize=7, ha="right", va="top")

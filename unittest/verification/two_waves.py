@@ -7,7 +7,7 @@ import math
 import methods
 import profiles
 import shock
-from catalogue import Figure, order, series
+from catalogue import Figure, finest, order, series
 from running import columns, snapshots
 
 FIGURES = [
@@ -84,11 +84,13 @@ class Problem:
         """Profiles of the viscosities in the default frame at the finest resolution, and the L1 error of all."""
         import pictures
         figure, (whole, near, errors) = pictures.axes(3, width=3.7)
-        finest = max(r.case.n for r in results)
+        size = max(r.case.n for r in results)
+        top = self.second.stress / 1e9
         for r in results:
-            if r.failed or r.case.n != finest or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
+            if r.failed or r.case.n != size or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
                 continue
             t, x, stress, _ = list(self.seen(r.case))[-1]
+            top = max(top, (1 + r.figures["overshoot"]) * self.second.stress / 1e9)
             for axes in (whole, near):
                 axes.plot([v / unit_x for v in x], [s / 1e9 for s in stress], lw=1,
                           color=pictures.look(r.case.method)["color"])
@@ -98,8 +100,8 @@ class Problem:
         for axes in (whole, near):
             axes.plot([s / unit_x for s in steps], [v / 1e9 for v in levels], "k", lw=0.8, zorder=0)
             axes.set(xlabel=f"distance from the wall ({name_x})", ylabel="stress (GPa)")
-        near.set(xlim=(0.9 * a / unit_x, 1.06 * a / unit_x), ylim=(0.8 * self.second.stress / 1e9, None), title="the shock")
-        whole.set(title=f"Lagrangian frame, n = {finest}; black: exact")
+        near.set(xlim=(0.9 * a / unit_x, 1.06 * a / unit_x), ylim=(0.8 * self.second.stress / 1e9, 1.02 * top), title="the shock")
+        whole.set(title=f"Lagrangian frame, n = {size}; black: exact")
         pictures.convergence(errors, results, "l1")
         errors.set(xlabel="n", ylabel="L1 error of the stress")
         pictures.legend(figure, errors)
@@ -109,6 +111,14 @@ class Problem:
 # ---- judging ------------------------------------------------------------------------------------------------
 
 FINEST = 800    # cells at which the targets are to be met
+
+
+# causes of known misses
+EXCESS = ("the precursor overshoots on the lattice; what exceeds the yield stress flows, goes on with the slower plastic "
+          "speed, and the excess behind the front decays slowly with refinement")
+FOOT = "the foot of the smeared shock reaches into the plateau of the precursor"
+UNLOADED = ("what overshoots unloads again, elastically, and takes its share of the deviator along: plateau and shock "
+            "speed stay short of the exact ones at any resolution")
 
 
 def calm(method):
@@ -137,17 +147,17 @@ def order_gates(cases):
 
 
 def judge(results):
-    finest = [r for r in results if not r.failed and r.case.n == max(r.case.n for r in results)]
-    got = {r.case.method.key: r.figures for r in finest}
+    last = finest(results)
+    got = {r.case.method.key: r.figures for r in last}
     orders = {key: order(group, "l1") for key, group in series(results).items()}
     default = got[methods.DEFAULT]
     missed = [f.text for f in FIGURES if f.name in TARGETS and not abs(default[f.name]) <= TARGETS[f.name]]
-    least = min(finest, key=lambda r: r.figures["l1"])
-    calm = min(finest, key=lambda r: r.figures["overshoot"])
+    least = min(last, key=lambda r: r.figures["l1"])
+    calm = min(last, key=lambda r: r.figures["overshoot"])
     full = sum(order_of >= ORDERS["l1"] for order_of in orders.values())
     return (f"*correct* in the Lagrangian frame {'misses: ' + ', '.join(missed) if missed else 'meets all targets'}; its "
             f"stress overshoots by {default['overshoot']:.1%}, its L1 error of {default['l1']:.2%} at n = "
-            f"{finest[0].case.n} falls with order {orders[methods.DEFAULT]:.2f}. The smallest L1 error has "
+            f"{max(r.case.n for r in last)} falls with order {orders[methods.DEFAULT]:.2f}. The smallest L1 error has "
             f"*{least.case.method.title}* ({least.case.method.group}) with {least.figures['l1']:.2%}, the least overshoot "
             f"*{calm.case.method.title}* ({calm.case.method.group}) with {calm.figures['overshoot']:.1%}; {full} of "
             f"{len(orders)} methods reach order {ORDERS['l1']:g}.")

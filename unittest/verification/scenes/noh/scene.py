@@ -3,7 +3,8 @@
 import methods
 import profiles
 import shock
-from catalogue import Figure, case, order, series
+import stock
+from catalogue import Figure, finest, order, series, usual_cases
 from running import columns, snapshots
 
 TITLE = "Planar Noh problem, Mie-Gruneisen"
@@ -37,15 +38,11 @@ ORDERS = {"l1": 0.9}
 
 
 def cases(level):
-    sizes = (100, 200) if level == "test" else (200, 400, 800)
-    return [case("noh", method, n, weight=0.8 * (n / 200) ** 2 * (1 if method.frame == "lagrangian" else 3))
-            for method in methods.METHODS if not cannot(method) for n in sizes]
+    return usual_cases("noh", level, (100, 200), (200, 400, 800), 0.3, cannot)
 
 
 def cannot(method):
-    if method.stock:
-        return "no Mie-Gruneisen equation of state with energy"
-    return ""
+    return stock.plane_shock(method, fluid=True)
 
 
 def seen(case):
@@ -93,9 +90,9 @@ def order_gates(cases):
 def draw(results, file):
     import pictures
     figure, (pressure, density, errors) = pictures.axes(3, width=3.7)
-    finest = max(r.case.n for r in results)
+    size = max(r.case.n for r in results)
     for r in results:
-        if r.failed or r.case.n != finest or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
+        if r.failed or r.case.n != size or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
             continue
         t, last = seen(r.case)[-1]
         colour = pictures.look(r.case.method)["color"]
@@ -105,7 +102,7 @@ def draw(results, file):
     pressure.plot([0, place, place, 1.2 * place], [BEHIND.stress / 1e9] * 2 + [0, 0], "k", lw=0.8, zorder=0)
     density.plot([0, place, place, 1.2 * place], [BEHIND.rho] * 2 + [SOLID.rho0] * 2, "k", lw=0.8, zorder=0)
     pressure.set(xlabel="distance from the plane (mm)", ylabel="pressure (GPa)", xlim=(0.9 * place, 1.04 * place),
-                 title=f"Lagrangian frame, n = {finest}; black: exact")
+                 title=f"Lagrangian frame, n = {size}; black: exact")
     density.set(xlabel="distance from the plane (mm)", ylabel="density (kg/m$^3$)", xlim=(0, 0.15 * place),
                 ylim=(0.94 * BEHIND.rho, 1.02 * BEHIND.rho), title="wall heating")
     pictures.convergence(errors, results, "l1")
@@ -115,13 +112,13 @@ def draw(results, file):
 
 
 def judge(results):
-    finest = [r for r in results if not r.failed and r.case.n == max(r.case.n for r in results)]
-    got = {r.case.method.key: r.figures for r in finest}
+    last = finest(results)
+    got = {r.case.method.key: r.figures for r in last}
     orders = {name: order(group, "l1") for name, group in series(results).items()}
     default = got[methods.DEFAULT]
-    calm = [r for r in finest if r.figures["overshoot"] < 0.04]
+    calm = [r for r in last if r.figures["overshoot"] < 0.04]
     full = sum(value >= ORDERS["l1"] for value in orders.values())
-    return (f"The mean pressure behind the shock is right within {max(abs(r.figures['plateau']) for r in finest):.2%} for "
-            f"all methods; *correct* overshoots by {default['overshoot']:.0%}, {len(calm)} of {len(finest)} methods by "
+    return (f"The mean pressure behind the shock is right within {max(abs(r.figures['plateau']) for r in last):.2%} for "
+            f"all methods; *correct* overshoots by {default['overshoot']:.0%}, {len(calm)} of {len(last)} methods by "
             f"less than 4 %. The L1 error falls with order {orders[methods.DEFAULT]:.2f} for *correct* and "
             f"{orders['L-monaghan1']:.2f} for *monaghan 1 1*; {full} of {len(orders)} methods reach {ORDERS['l1']:g}.")

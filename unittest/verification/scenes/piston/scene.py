@@ -2,8 +2,9 @@
 
 import methods
 import shock
+import stock
 import two_waves
-from catalogue import case
+from catalogue import usual_cases
 from two_waves import FIGURES, ORDERS, TARGETS, judge, order_gates
 
 TITLE = "Elastic-plastic piston"
@@ -20,22 +21,22 @@ Hugoniot elastic limit (HEL) of 199.03 MPa and a speed of 4722.18 m/s, and a pla
 :math:`S_{xx} = -\frac{2}{3} Y` to 741.592 MPa, with 3976.96 m/s, each with the conservation laws of mass, momentum and energy
 (*shock.py*). Speeds are those in material at rest, between the two times, at half the height of each front. HEL: mean
 over the middle half between the fronts; plateau: from 20 to 80 % of the way to the shock; L1: integral of the
-difference over that of the exact stress.
+difference over that of the exact stress; its order is shown for the shock alone too (from half of its way to half-way to the
+precursor). Order 0.9 is out of reach here: both fronts are so weak that they hardly steepen, and a linear front that a
+method of order p spreads converges with p/(p + 1): 2/3 without a viscosity, 1/2 with it.
+
+The columns at a *contact* wall do not have the stress of the plateau: forces of the corrected form are in equilibrium
+with 3/2 and 3/4 of it in the first two columns (h = 1 spacing, half cells on the face: their sums M are 1/2 and 3/4 of
+that inside). The force on the wall is right, and a *symmetry* plane (:doc:`impact`) has no such columns.
 """
 
 
 def cases(level):
-    sizes = (100, 200) if level == "test" else (200, 400, 800)
-    return [case("piston", method, n, weight=0.8 * (n / 200) ** 2 * (1 if method.frame == "lagrangian" else 3))
-            for method in methods.METHODS if not cannot(method) for n in sizes]
+    return usual_cases("piston", level, (100, 200), (200, 400, 800), 0.3, cannot)
 
 
 def cannot(method):
-    if method.stock == "sph":
-        return "its materials are fluids: no strength"
-    if method.stock:
-        return "no wall of its own and no Mie-Gruneisen solid with strength: *EOS_SHOCK* of MACHDYN goes without energy"
-    return ""
+    return stock.plane_shock(method)
 
 
 def measure(case):
@@ -44,6 +45,12 @@ def measure(case):
 
 def gates(case):
     return two_waves.gates(case, PROBLEM, 75e-6)
+
+
+def misses(case):
+    if case.n < two_waves.FINEST or case.method.key == "L-monaghan05":
+        return {}
+    return {"hel": two_waves.FOOT if two_waves.calm(case.method) else two_waves.EXCESS}
 
 
 def draw(results, file):

@@ -5,7 +5,8 @@ import functools
 import methods
 import profiles
 import shock
-from catalogue import Figure, case, order, series
+import stock
+from catalogue import Figure, finest, order, series, usual_cases
 from running import columns, snapshots
 
 TITLE = "Shock tube, Mie-Gruneisen"
@@ -48,13 +49,11 @@ ORDERS = {"l1": 0.9}
 
 
 def cases(level):
-    sizes = (100, 200) if level == "test" else (200, 400, 800)
-    return [case("shocktube", method, n, weight=0.8 * (n / 200) ** 2 * (1 if method.frame == "lagrangian" else 3))
-            for method in methods.METHODS if not cannot(method) for n in sizes]
+    return usual_cases("shocktube", level, (100, 200), (200, 400, 800), 0.3, cannot)
 
 
 def cannot(method):
-    return "no Mie-Gruneisen equation of state with energy" if method.stock else ""
+    return stock.plane_shock(method, fluid=True)
 
 
 def seen(case):
@@ -123,9 +122,9 @@ def order_gates(cases):
 def draw(results, file):
     import pictures
     figure, (pressure, density, errors) = pictures.axes(3, width=3.7)
-    finest, exact = max(r.case.n for r in results), tube()
+    size, exact = max(r.case.n for r in results), tube()
     for r in results:
-        if r.failed or r.case.n != finest or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
+        if r.failed or r.case.n != size or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
             continue
         t, last = seen(r.case)[-1]
         colour = pictures.look(r.case.method)["color"]
@@ -135,7 +134,7 @@ def draw(results, file):
     states = [shock.tube_at(exact, x / t) for x in places]
     pressure.plot(places, [s.stress / 1e9 for s in states], "k", lw=0.8, zorder=0)
     density.plot(places, [s.rho for s in states], "k", lw=0.8, zorder=0)
-    pressure.set(xlabel="x (m)", ylabel="pressure (GPa)", title=f"Lagrangian frame, n = {finest}; black: exact")
+    pressure.set(xlabel="x (m)", ylabel="pressure (GPa)", title=f"Lagrangian frame, n = {size}; black: exact")
     density.set(xlabel="x (m)", ylabel="density (kg/m$^3$)")
     pictures.convergence(errors, results, "l1")
     errors.set(xlabel="n", ylabel="L1 error of the pressure")
@@ -144,11 +143,11 @@ def draw(results, file):
 
 
 def judge(results):
-    finest = [r for r in results if not r.failed and r.case.n == max(r.case.n for r in results)]
-    got = {r.case.method.key: r.figures for r in finest}
+    last = finest(results)
+    got = {r.case.method.key: r.figures for r in last}
     orders = {name: order(group, "l1") for name, group in series(results).items()}
     default = got[methods.DEFAULT]
-    least = min(finest, key=lambda r: r.figures["l1"])
+    least = min(last, key=lambda r: r.figures["l1"])
     full = sum(value >= ORDERS["l1"] for value in orders.values())
     return (f"*correct* has the pressure between the waves within {abs(default['star']):.2%}, overshoots behind the shock by "
             f"{default['overshoot']:.0%}, and its L1 error of {default['l1']:.2%} falls with order "
