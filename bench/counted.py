@@ -47,9 +47,9 @@ def count(lmp, only_ratios=False, say=print):
 
 def signature(compiler):
     """What has to be the same for numbers to be compared: the compiler's name and major version."""
-    found = re.search(r"(clang|g\+\+|c\+\+|GNU|Apple)?.*?(\d+)\.\d+", machine.compiler(compiler))
-    kind = "clang" if "clang" in machine.compiler(compiler) else "gcc"
-    return f"{kind} {found.group(2)}, x86-64-v3" if found else "unknown"
+    text = machine.compiler(compiler)
+    found = re.search(r"(\d+)\.\d+", text)
+    return f"{'clang' if 'clang' in text else 'gcc'} {found.group(1)}, x86-64-v3" if found else "unknown"
 
 
 def keep(counts, compiler):

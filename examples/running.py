@@ -38,8 +38,9 @@ def empty(output):
             old.unlink()
 
 
-def simulate(here, lmp, case, output="output"):
-    command = [lmp, "-in", case.script, "-log", f"{output}/{case.name}.log", "-screen", "none"]
+def simulate(here, lmp, case, output="output", limit=None):
+    """Runs a case; limit: seconds after which a run that gets nowhere is ended."""
+    command = (["timeout", str(limit)] if limit else []) + [lmp, "-in", case.script, "-log", f"{output}/{case.name}.log", "-screen", "none"]
     elsewhere = {} if str(output) == "output" else {"out": output}    # the default of all inputs
     for name, value in {**case.variables, **elsewhere, "label": case.name}.items():
         command += ["-var", name, str(value)]
