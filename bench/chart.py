@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""./sphsolid chart [case ...] [--level n] [--pages]: error against CPU time, doc/chart and doc/chart.rst.
+"""./sphsolid chart [case ...] [--level n] [--missing] [--pages]: error against CPU time, doc/chart and doc/chart.rst.
 
-Runs level by level, so that what is compared is run close together; level 0 takes a minute or two, 2 (the default) half an
-hour. What takes less than a second of CPU runs three times, the median counts. --pages: pictures and page again from the
-kept data.
+Runs level by level, so that what is compared is run close together; level 0 takes a minute or two, 3 (the default)
+half an hour on a free processor. What takes less than a second of CPU runs three times, the median counts. --missing: only
+what has no result yet. --pages: pictures and page again from the kept data.
 
 Environment: LMP=<program> (default build/lmp)."""
 
@@ -61,10 +61,10 @@ def keep(chart, rows):
         writer.writerows(sorted((r for r in rows.values() if (r["method"], r["n"]) in order), key=lambda r: order[r["method"], r["n"]]))
 
 
-def measure(chart, level, lmp):
-    """The runs of one level; what was kept of them before is replaced."""
+def measure(chart, level, lmp, missing):
+    """The runs of one level; what was kept of them before is replaced, or left if only missing ones are wanted."""
     rows = {(r["method"], r["n"]): r for r in chart_page.kept(chart)}
-    runs = [run for run in chart.runs if run.level == level]
+    runs = [run for run in chart.runs if run.level == level and not (missing and (run.method.key, f"{run.n:g}") in rows)]
     times = {id(run): [] for run in runs}
     for turn in range(3):
         for run in runs if turn % 2 == 0 else runs[::-1]:
@@ -80,8 +80,9 @@ def measure(chart, level, lmp):
 def main():
     parser = argparse.ArgumentParser(prog="./sphsolid chart")
     parser.add_argument("case", nargs="*", choices=[[], *chart_cases.BY_KEY], help="default: all")
-    parser.add_argument("--level", type=int, default=2)
+    parser.add_argument("--level", type=int, default=3)
     parser.add_argument("--only", type=int, help="this level alone")
+    parser.add_argument("--missing", action="store_true")
     parser.add_argument("--pages", action="store_true")
     asked = parser.parse_args()
     charts = [chart for chart in CHARTS if not asked.case or chart.key in asked.case]
@@ -90,7 +91,7 @@ def main():
         lmp = running.program(ROOT)
         for level in range(asked.level + 1) if asked.only is None else [asked.only]:
             for chart in charts:
-                measure(chart, level, lmp)
+                measure(chart, level, lmp, asked.missing)
         chart_page.describe(lmp)
     chart_page.write(CHARTS)
 

@@ -39,12 +39,16 @@ def describe(lmp):
 
 # ---- pictures ------------------------------------------------------------------------------------------------
 
-SPECIAL = {"L-correct-symmetry": dict(color="C3", linestyle="-", marker="s"), "L-correct-channel": dict(color="C3", linestyle="-", marker="s"),
+SPECIAL = {"L-correct-symmetry": dict(color="C3", linestyle="-", marker="D"), "L-correct-channel": dict(color="C3", linestyle="-", marker="D"),
            "ulsph-1.0": dict(color="C4", linestyle="-."), "ulsph-0.3": dict(color="C1", linestyle="-."), "tlsph": dict(color="C5", linestyle="-.")}
 
 
+MARKS = {"L": "o", "E": "^", "P": "x"}    # Lagrangian frame, Eulerian, Eulerian with plain gradients; squares: stock
+
+
 def look(method):
-    style = {**pictures.look(method), "marker": "o", "markersize": 3.5, "linewidth": 1.1, **SPECIAL.get(method.key, {})}
+    style = {**pictures.look(method), "marker": MARKS.get(method.key.split("-")[0], "s"), "markersize": 4, "linewidth": 1.1,
+             **SPECIAL.get(method.key, {})}
     return {**style, "linewidth": 2.4, "zorder": 5} if method.key == "L-correct" else style
 
 
