@@ -36,8 +36,12 @@ def once(run, lmp):
     output.mkdir(parents=True, exist_ok=True)
     case, result, _ = running.simulate(run.here, lmp, run.case, os.path.relpath(output, run.here), LIMIT)
     log = output / f"{case.name}.log"
-    failed = running.last_error(log) if result.returncode else ""
-    return running.seconds(log), failed or (f"ended after {LIMIT} s" if result.returncode else "")
+    return running.seconds(log), why(result.returncode, running.last_error(log)) if result.returncode else ""
+
+
+def why(status, last):
+    """What ended a run: its own message, the time limit (status 124 of timeout), or what it was."""
+    return last if "ERROR" in last else f"ended after {LIMIT} s" if status == 124 else f"ended with status {status}"
 
 
 def row(chart, run, times, failed):
