@@ -45,7 +45,7 @@ CASES = [
     beam("correct", tend=3.0, suffix="-3ms", levels=(0,), gated=True),
     *(beam(key, gated=key == "correct") for key in VISCOSITIES),
     beam("correct", h=1.0),
-    *(beam(key, h=1.0, levels=(2,)) for key in VISCOSITIES if key != "correct"),
+    *(beam(key, h=1.0, tend=3.0) for key in VISCOSITIES if key != "correct"),
     beam("correct", h=1.3),
     beam("correct", suffix="-C4797", C=4797),
     # the Eulerian frame: where the block shears off, it does so early
