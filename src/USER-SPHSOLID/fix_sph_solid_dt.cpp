@@ -89,7 +89,7 @@ void FixSPHSolidDt::setup(int)
 
 void FixSPHSolidDt::end_of_step()
 {
-  const double mine = pair->time_step_limit();
+  double mine = pair->time_step_limit();
   double dt = 0.0;
   MPI_Allreduce(&mine, &dt, 1, MPI_DOUBLE, MPI_MIN, world);
   dt *= cfl;

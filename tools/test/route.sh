@@ -19,7 +19,7 @@ folder=$(cd "$3" && pwd)
 root=$(cd "$(dirname "$0")/../.." && pwd)
 jobs=${JOBS:-$(nproc)}
 scene=$root/tools/test/in.smoke
-trap 'tail -n 30 "$folder"/*.log' ERR
+trap 'tail -n 30 "$folder"/*.log >&2' ERR    # stdout may be one of these logs
 
 run() {
   echo "+ $*"
