@@ -56,9 +56,9 @@ CASES = [
     beam("correct", "eulerian", refine=2, h=1.3, tend=3.0, may_fail=True),
     # finer lattices
     beam("correct", refine=2, tend=3.0, suffix="-3ms", levels=(1,), gated=True),
+    *(beam(key, refine=2, tend=3.0, suffix="-3ms") for key in VISCOSITIES if key != "correct"),
     beam("correct", refine=2, levels=(2,), gated=True),
     beam("correct", refine=2, h=1.0, tend=3.0, levels=(1,)),
-    beam("0.5", refine=2, levels=(2,)),
     beam("correct", refine=4, tend=3.0, levels=(2,)),
 ]
 BY_NAME = {case.name: case for case in CASES}
