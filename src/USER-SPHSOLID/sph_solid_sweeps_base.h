@@ -35,24 +35,21 @@ constexpr double COINCIDE = 1.0e-6;
 
 template <class Call> void with_form(PairForm form, Call call)
 {
-  auto with = [&](auto f) {
-    call(f);
-  };
   switch (form) {
     case PairForm::NONE:
-      with(std::integral_constant<PairForm, PairForm::NONE>());
+      call(std::integral_constant<PairForm, PairForm::NONE>());
       break;
     case PairForm::WHOLE:
-      with(std::integral_constant<PairForm, PairForm::WHOLE>());
+      call(std::integral_constant<PairForm, PairForm::WHOLE>());
       break;
     case PairForm::LIMITED:
-      with(std::integral_constant<PairForm, PairForm::LIMITED>());
+      call(std::integral_constant<PairForm, PairForm::LIMITED>());
       break;
     case PairForm::SWITCHED:
-      with(std::integral_constant<PairForm, PairForm::SWITCHED>());
+      call(std::integral_constant<PairForm, PairForm::SWITCHED>());
       break;
     case PairForm::FRONT:
-      with(std::integral_constant<PairForm, PairForm::FRONT>());
+      call(std::integral_constant<PairForm, PairForm::FRONT>());
       break;
   }
 }
@@ -162,6 +159,11 @@ template <int D> class SweepsBase : public Sweeps {
   {
     if (opt.viscosity == Viscosity::NONE) return false;
     return !needs_correction() || opt.heating == Heating::PRINTED || lonely;
+  }
+  // ... and is it heat as it is?  A compatible correction heats in a way of its own
+  bool heats_pairs() const
+  {
+    return keeps_pairs() && !(needs_correction() && opt.heating == Heating::COMPATIBLE);
   }
   double whole_pull(int i, int pair) const;
   void lonely_pairs(const Particles &, int i);

@@ -419,7 +419,7 @@ template <int D> void EulerianSweeps<D>::near_weights(int i)
 
 template <int D> typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
-  const bool pulls = keeps_pairs() && !(needs_correction() && opt.heating == Heating::COMPATIBLE);
+  const bool pulls = Base::heats_pairs();
   if (opt.tensile) return pulls ? pair_power<true, true>(i) : pair_power<false, true>(i);
   return pulls ? pair_power<true, false>(i) : pair_power<false, false>(i);
 }
