@@ -343,7 +343,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
       d[m] = own - Motion<D>(kj);
       const Several<D> g = d[m].spread_x() * Four(sj[Str::K] * pairs.factor[k + m]);
-      stress += times(T + load_tensor<D>(sj), g);
+      add_times<D>(stress, T + load_tensor<D>(sj), g);
       if (TENSILE) tensile[m] = times(R + load_tensor<D>(sj + extra(0)), g);
       inertia[m] = load(kj + Kin::MASS);
       if (VISCOUS) state[m] = load(sj + Str::K);
@@ -363,7 +363,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       const Four spacing = (0.5 / opt.hbar) * (ki[Kin::NEAR] + inertia[3]);
       const Four fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
       store(&crowd[k], fn);
-      for (int m = 0; m < LANES; m++) stress += Four(fn[m]) * tensile[m];
+      for (int m = 0; m < LANES; m++) stress = multiply_add(Four(fn[m]), tensile[m], stress);
     }
     if (VISCOUS) {
       transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
@@ -377,7 +377,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       if (FORM == PairForm::SWITCHED) q *= on;
       if (keep) store(&pull[k], q);    // m_j Pi_ij F_ij
       if (correct) q = where_positive(state[3], ok_i * q, zero);
-      for (int m = 0; m < LANES; m++) viscous -= Four(q[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) viscous = multiply_add(Four(-q[m]), d[m].x(), viscous);
       mu_least = minimum(mu_least, mu);
     }
   }
@@ -431,7 +431,7 @@ typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
     const Several<D> g = d.spread_x() * Four(-K_j * pairs.factor[k]);
     add_outer(gradient, d.expanded_v(), g);
     if (TENSILE) add_outer(crowded, d.expanded_v(), g * Four(crowd[k]));
-    if (PULL) viscous += Four(pull[k]) * d.products();
+    if (PULL) viscous = multiply_add(Four(pull[k]), d.products(), viscous);
   }
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + extra(0)));

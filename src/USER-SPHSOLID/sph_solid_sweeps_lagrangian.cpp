@@ -391,7 +391,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
       const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
       const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
       const Several<D> X = load_spread<D>(&sep[(k + m) * D]), g = X * Four(pairs.factor[k + m]);
-      stress += times(T + load_tensor<D>(sj), g);
+      add_times<D>(stress, T + load_tensor<D>(sj), g);
       if (!VISCOUS && !HOURGLASS) continue;
       d[m] = own - Motion<D>(kj);
       const Four x = d[m].expanded_x();
@@ -416,7 +416,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
       const Four impedance = 0.5 * opt.hourglass * (si[Str::K] + state[0]);
       const Four s = impedance * load(&pairs.factor[k]) * (vr - 0.5 * (li + lj)) * inv_r2;
       store(&damp[k], s);
-      for (int m = 0; m < LANES; m++) hourglass += Four(s[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) hourglass = multiply_add(Four(s[m]), d[m].x(), hourglass);
     }
     if (VISCOUS) {
       const Four on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Four(1.0);
@@ -429,7 +429,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
       Four s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
       if (keep) store(&pull[k], s);
       if (correct) s = where_positive(state[3], ok_i * s, zero);
-      for (int m = 0; m < LANES; m++) viscous -= Four(s[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) viscous = multiply_add(Four(-s[m]), d[m].x(), viscous);
       mu_least = minimum(mu_least, mu);
     }
   }
@@ -483,8 +483,8 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const Motion<D> d = Motion<D>(kall + static_cast<std::int64_t>(pairs.j[k]) * Kin::STRIDE) - own;
     add_outer(gradient, d.expanded_v(), load_spread<D>(&sep[k * D]) * Four(pairs.factor[k]));
-    if (PULL) viscous += Four(pull[k]) * d.products();
-    if (DAMP) hourglass -= Four(damp[k]) * d.products();
+    if (PULL) viscous = multiply_add(Four(pull[k]), d.products(), viscous);
+    if (DAMP) hourglass = multiply_add(Four(-damp[k]), d.products(), hourglass);
   }
   const double V0 = kin(i)[Kin::VOLUME];
   return {V0 * contract(gradient, load_tensor<D>(str(i))), 0.5 * V0 * Motion<D>::v_dot_x(viscous),
