@@ -77,6 +77,8 @@ def features(frame):
     yield "adapt", "time step looked at every 10 steps", {**base, "adapt": "yes"}
     full = {"frame": frame, "viscosity": "correct", "h": H[frame]}
     yield "default", "viscosity correct, all else at its default", full
+    yield "cold", "the same without energy equation (energy no)", {**full, "options": "energy no",
+                                                                   "material": "eos mie-gruneisen 3600 1.8 0"}
     yield "default-monaghan", "viscosity monaghan 1 1, all else at its default", {**full, "viscosity": "monaghan 1 1"}
 
 

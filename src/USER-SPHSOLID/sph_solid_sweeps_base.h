@@ -430,9 +430,10 @@ template <int D> void SweepsBase<D>::mirror_stress()
       }
   }
 
-  lonely = false;
-  if (needs_correction())
+  if (needs_correction() && !weights_known) {    // as long as weights are known, so is this
+    lonely = false;
     for (int i = 0; i < nrows; i++) lonely = lonely || !(str(i)[Str::NSUM] > 0.0);
+  }
   if (keeps_pairs()) pull.resize(pairs.j.size());
 }
 
