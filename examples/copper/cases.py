@@ -39,10 +39,11 @@ CASES = [
     bar(6, quarter=True, level=0),
     bar(9, gated=True),
     bar(9, quarter=True),
-    bar(9, key="0.5"),
-    bar(9, h=1.3),
-    bar(9, wall="contact"),
-    bar(9, frame="eulerian", h=1.3, may_fail=True),
+    bar(9, key="none", quarter=True),
+    bar(9, key="0.5", quarter=True),
+    bar(9, h=1.3, quarter=True),
+    bar(9, wall="contact", quarter=True),
+    bar(9, frame="eulerian", h=1.3, quarter=True, may_fail=True),
     bar(12, quarter=True, level=2),
 ]
 BY_NAME = {case.name: case for case in CASES}

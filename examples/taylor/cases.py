@@ -17,6 +17,7 @@ class Case:
     refine: int = 1
     speed: float = 200.0        # m/s
     tend: float = 50.0          # us
+    cfl: float = 0.0            # of the study of time steps
     gates: str = ""             # name of the figures in measure.GATES that it must meet
     known: tuple = ()           # those it is known to miss: said, but no failure
     may_fail: bool = False      # a run that shows where a frame ends
@@ -40,6 +41,7 @@ VISCOSITIES = {                 # name of the files, title, viscosity
     "1.0": ("(1, 1)", "monaghan 1 1"),
     "2.5": ("(2.5, 2.5)", "monaghan 2.5 2.5"),
     "limited": ("limited (0.5, 0.5)", "limited 0.5 0.5"),
+    "front": ("front", "front"),
     "correct": ("correct", "correct"),
 }
 
@@ -72,9 +74,10 @@ def lagrangian(key, wall, h, **more):
                 weight=1.2 if h < 1.2 else 1.7, **more)
 
 
-# ---- finer lattices, and speeds -----------------------------------------------------------------------------
+# ---- finer lattices, speeds and time steps ------------------------------------------------------------------
 
-H = {"lagrangian": 1.0, "eulerian": 1.5}    # of these two studies
+H = {"lagrangian": 1.0, "eulerian": 1.5}    # of these studies
+STEPS = {"lagrangian": (0.3, 0.6, 1.0, 1.5, 1.8), "eulerian": (0.3, 0.6, 0.8, 1.0, 1.2)}
 
 
 def finer(key, frame, refine, wall="contact", **more):
@@ -84,10 +87,20 @@ def finer(key, frame, refine, wall="contact", **more):
                 refine=refine, weight=1.2 * refine ** 3, **more)
 
 
-def fast(speed):
-    return Case(f"speed-{speed}", "correct", "speed", "speeds", "contact", 1.0,
-                {"speed": f"{speed}.0", "tend": "80e-6", "half": 0.1}, frame="lagrangian", speed=speed, tend=80.0,
-                may_fail=True, weight=1.5 + speed / 200)
+def fast(speed, key="correct", frame="lagrangian", wall="contact"):
+    title, viscosity = VISCOSITIES[key]
+    name = "-".join([f"speed-{speed}"] + [word for word, usual in ((frame, "lagrangian"), (key, "correct"), (wall, "contact"))
+                                          if word != usual])
+    return Case(name, title, "speed", "speeds", wall, H[frame],
+                {"speed": f"{speed}.0", "tend": "80e-6", "half": 0.1, "viscosity": viscosity, "frame": frame, "h": H[frame],
+                 "wall": wall}, frame=frame, speed=speed, tend=80.0, may_fail=True, weight=1.5 + speed / 200)
+
+
+def stepped(frame, key, cfl):
+    title, viscosity = VISCOSITIES[key]
+    return Case(f"step-{frame}-{key}-{cfl}", title, "step", "time steps", "contact", H[frame],
+                {"frame": frame, "viscosity": viscosity, "h": H[frame], "cfl": cfl}, frame=frame, cfl=cfl, may_fail=True,
+                weight=0.4 / cfl)
 
 
 def all_cases():
@@ -111,18 +124,32 @@ def all_cases():
     for key in ("none", "limited", "0.5", "1.0"):
         yield finer(key, "lagrangian", 2)
     for refine in (3, 4):
-        yield finer("correct", "lagrangian", refine)
-    for key in ("correct", "0.5"):
-        yield finer(key, "lagrangian", 2, "symmetry")
-    for key in ("correct", "0.5"):
-        yield finer(key, "eulerian", 2)
-    yield finer("correct", "eulerian", 3)
-    yield finer("correct", "eulerian", 2, "symmetry")
+        for key in ("correct", "none", "limited", "0.5"):
+            yield finer(key, "lagrangian", refine)
+    for refine in (2, 3, 4):
+        for key in ("correct", "0.5")[:1 if refine == 4 else 2]:
+            yield finer(key, "lagrangian", refine, "symmetry")
+    for refine in (2, 3):
+        for key in ("correct", "0.5"):
+            yield finer(key, "eulerian", refine)
+    yield finer("correct", "eulerian", 4)
+    for refine in (2, 3):
+        yield finer("correct", "eulerian", refine, "symmetry")
     for speed in SPEEDS:
         yield fast(speed)
+    for speed in SPEEDS[1:5]:
+        for key in ("none", "limited", "0.5", "1.0"):
+            yield fast(speed, key)
+        yield fast(speed, wall="symmetry")
+        for key in ("correct", "0.5"):
+            yield fast(speed, key, "eulerian")
+    for frame, values in STEPS.items():
+        for key in ("correct", "none", "limited", "0.5", "front"):
+            for cfl in values:
+                yield stepped(frame, key, cfl)
 
 
-PARTS = {"lagrangian", "eulerian", "stock", "refine", "speed"}
-STUDIES = {"refine", "speed"}   # these take longer, and are asked for by name
+PARTS = {"lagrangian", "eulerian", "stock", "refine", "speed", "step"}
+STUDIES = {"refine", "speed", "step"}   # these take longer, and are asked for by name
 CASES = list(all_cases())
 BY_NAME = {case.name: case for case in CASES}

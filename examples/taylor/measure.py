@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
-from cases import H, LATTICES, VISCOSITIES, WALLS, name_of
+from cases import H, LATTICES, STUDIES, VISCOSITIES, WALLS, name_of
 from running import at, columns, markdown, seconds, snapshots
 
 OUTPUT = HERE / "output"
@@ -183,7 +183,7 @@ def refinement_rows(cases):
     return table
 
 
-SPEED_HEAD = ("speed (m/s)", "ends at (us)", "length", "foot", "over 7.6 mm", "KE", "closest", "energy error", "CPU s", "why it ended")
+SPEED_HEAD = ("speed (m/s)", "frame", "viscosity", "wall", "ends at (us)", "length", "foot", "over 7.6 mm", "KE", "closest", "energy error", "CPU s", "why it ended")
 WHY = (("turned over", "a particle has turned over"), ("squeezed flat", "a particle is squeezed flat"),
        ("lies on a partner", "a particle lies on a partner"))
 
@@ -199,20 +199,41 @@ def why(case):
 
 def speed_rows(cases):
     table = []
-    for case in cases:
+    for case in sorted(cases, key=lambda case: case.speed):
         if case.part == "speed":
             got = figures(case)
-            table.append([f"{case.speed:g}", f"{got['end']:.1f}", f"{got['length']:.2f}", f"{got['foot']:.2f}",
+            table.append([f"{case.speed:g}", case.frame, case.title, case.wall, f"{got['end']:.1f}", f"{got['length']:.2f}", f"{got['foot']:.2f}",
                           f"{got['foot'] / WIDTH:.2f}", f"{got['ke_end']:.3f}", f"{got['closest']:.2f}", f"{got['energy']:.0e}",
                           f"{got['cpu']:.0f}" if got["cpu"] else "-", why(case) or "time is up"])
     return table
 
 
+STEP_HEAD = ("frame", "viscosity", "cfl", "ends at (us)", "length", "foot", "KE 10", "KE 20", "KE 30", "KE 40",
+             "viscous heat", "energy error", "steps", "CPU s")
+
+
+def steps(log):
+    return sum(int(n) for n in re.findall(r"for (\d+) steps with", pathlib.Path(log).read_text()))
+
+
+def step_rows(cases):
+    table = []
+    for case in cases:
+        if case.part == "step":
+            got = figures(case)
+            table.append([case.frame, case.title, f"{case.cfl:g}", f"{got['end']:.1f}", f"{got['length']:.3f}", f"{got['foot']:.3f}"] +
+                         [number(ke if t <= got["end"] else math.nan, ".4f") for t, ke in zip(TIMES, got["ke"])] +
+                         [f"{got['viscous']:.4f}", f"{got['energy']:.0e}", str(steps(OUTPUT / f"{case.name}.log") or "-"),
+                          f"{got['cpu']:.1f}" if got["cpu"] else "-"])
+    return table
+
+
 def write_tables(cases):
     """All tables of what has been run: output/table.md, .csv; the text."""
-    blocks = rows([case for case in cases if case.part not in ("refine", "speed")])
+    blocks = rows([case for case in cases if case.part not in STUDIES])
     parts = [(block, HEAD, table, 3) for block, table in blocks.items()]
-    parts += [("finer lattices", REFINE_HEAD, refinement_rows(cases), 5), ("speeds", SPEED_HEAD, speed_rows(cases), 0)]
+    parts += [("finer lattices", REFINE_HEAD, refinement_rows(cases), 5), ("speeds", SPEED_HEAD, speed_rows(cases), 0),
+              ("time steps", STEP_HEAD, step_rows(cases), 2)]
     text = "\n".join(f"**{block}**\n\n{markdown(head, table, left)}" for block, head, table, left in parts if table)
     (OUTPUT / "table.md").write_text(text)
     with open(OUTPUT / "table.csv", "w", newline="") as file:

@@ -163,7 +163,7 @@ def refinement(folder):
 
 def speeds(folder):
     """Where the Lagrangian frame ends: length and foot against time for several speeds, and the last moment of each."""
-    runs = [case for case in BY_NAME.values() if case.part == "speed" and measure.has_run(case)]
+    runs = [case for case in BY_NAME.values() if case.name == f"speed-{case.speed:g}" and measure.has_run(case)]
     if len(runs) < 2:
         return
     figure, grid = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained")

@@ -76,6 +76,7 @@ ComputeSPHSolidAtom::~ComputeSPHSolidAtom()
 void ComputeSPHSolidAtom::init()
 {
   pair = PairSPHSolid::find(lmp, "Compute sph/solid/atom");
+  if (needs_pending) pair->require_energy("Compute sph/solid/atom e");
 }
 
 /* ---------------------------------------------------------------------- */

@@ -52,6 +52,7 @@ ComputeSPHSolidEnergy::~ComputeSPHSolidEnergy()
 void ComputeSPHSolidEnergy::init()
 {
   pair = PairSPHSolid::find(lmp, "Compute sph/solid/energy");
+  pair->require_energy("Compute sph/solid/energy");
 }
 
 /* ----------------------------------------------------------------------

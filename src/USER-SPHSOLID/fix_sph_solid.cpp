@@ -142,7 +142,7 @@ bigint FixSPHSolid::velocity_fingerprint() const
 
 void FixSPHSolid::initial_integrate(int)
 {
-  if (leading) add_heat();
+  if (leading && pair->has_energy()) add_heat();
   kick(0.5 * update->dt * force->ftm2v);
 
   double **x = atom->x, **v = atom->v;
@@ -203,7 +203,7 @@ void FixSPHSolid::settle()
 void FixSPHSolid::pending_heat(double *out) const
 {
   std::memset(out, 0, atom->nlocal * sizeof(double));
-  if (dt_pending == 0.0) return;
+  if (dt_pending == 0.0 || !pair->has_energy()) return;
   pair->require_current("The internal energy of sph/solid");
   pair->pair_heat(0.5 * dt_pending, -0.125 * dt_pending * dt_pending, out, false);
 }

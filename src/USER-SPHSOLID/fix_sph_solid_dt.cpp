@@ -28,18 +28,21 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 /* ----------------------------------------------------------------------
-   fix ID group sph/solid/dt <every> <cfl> [max v] [min v]
+   fix ID group sph/solid/dt <every> <cfl>|auto [max v] [min v]
 ------------------------------------------------------------------------- */
 
 FixSPHSolidDt::FixSPHSolidDt(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), pair(nullptr)
 {
   if (narg < 5) utils::missing_cmd_args(FLERR, "fix sph/solid/dt", error);
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
-  cfl = utils::numeric(FLERR, arg[4], false, lmp);
+  const bool usual = strcmp(arg[4], "auto") == 0;
+  if (!usual && !utils::is_double(arg[4]))
+    error->all(FLERR, 4, "Fix sph/solid/dt: cfl is '{}': expected a number > 0 or auto", arg[4]);
+  cfl = usual ? 0.0 : utils::numeric(FLERR, arg[4], false, lmp);
   if (nevery <= 0)
     error->all(FLERR, 3, "Fix sph/solid/dt: every is {}: expected an integer > 0", arg[3]);
-  if (!(cfl > 0.0))
-    error->all(FLERR, 4, "Fix sph/solid/dt: cfl is {}: expected a number > 0", arg[4]);
+  if (!usual && !(cfl > 0.0))
+    error->all(FLERR, 4, "Fix sph/solid/dt: cfl is {}: expected a number > 0 or auto", arg[4]);
 
   dt_max = dt_min = 0.0;
   for (int iarg = 5; iarg < narg; iarg += 2) {
@@ -92,7 +95,7 @@ void FixSPHSolidDt::end_of_step()
   double mine = pair->time_step_limit();
   double dt = 0.0;
   MPI_Allreduce(&mine, &dt, 1, MPI_DOUBLE, MPI_MIN, world);
-  dt *= cfl;
+  dt *= cfl > 0.0 ? cfl : pair->usual_courant_number();
   if (!std::isfinite(dt) || dt <= 0.0)
     error->all(
         FLERR, Error::NOLASTLINE,

@@ -35,7 +35,8 @@ class FixSPHSolidDt : public Fix {
 
  private:
   class PairSPHSolid *pair;
-  double cfl, dt_max, dt_min;    // 0: no limit
+  double cfl;               // 0: what the pair style's frame takes usually
+  double dt_max, dt_min;    // 0: no limit
   bool warned;
 };
 

@@ -400,6 +400,7 @@ void PairSPHSolid::init_style()
   require_environment();
   require_one_integrator();
   if (domain->dimension == 2) require_single_layer();
+  if (!options->energy) require_cold_materials();
   fill_unset_state();
   measure_spacing();
 
@@ -498,6 +499,18 @@ void PairSPHSolid::require_single_layer()
                  atom->tag[i], atom->x[i][2]);
 }
 
+// without an energy equation nothing may depend on the internal energy
+
+void PairSPHSolid::require_cold_materials()
+{
+  for (int i = 1; i <= atom->ntypes; i++)
+    if (setflag[i][i] && types[i].material.Gamma != 0.0)
+      error->all(FLERR,
+                 "Pair style sph/solid: the pressure of type {} depends on its internal energy, "
+                 "Gamma = {}: expected energy yes, or gamma 0",
+                 i, types[i].material.Gamma);
+}
+
 /* ----------------------------------------------------------------------
    mass and density from the card, unless the user set them
 ------------------------------------------------------------------------- */
@@ -581,7 +594,7 @@ void PairSPHSolid::collect_planes()
 
 double PairSPHSolid::init_one(int i, int j)
 {
-  double cut = types[i].h + types[j].h;    // 2 h_ij
+  double cut = 0.5 * SPHSolid::SUPPORT * (types[i].h + types[j].h);
   if (options->viscosity == Viscosity::CORRECT)
     cut = std::max(cut, 0.5 * options->hbar * (types[i].spacing + types[j].spacing));
   return cut;
@@ -657,6 +670,23 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool 
 double PairSPHSolid::time_step_limit() const
 {
   return sweeps->time_step_limit(particles(), rows());
+}
+
+double PairSPHSolid::usual_courant_number() const
+{
+  return SPHSolid::usual_courant_number(options->frame);
+}
+
+bool PairSPHSolid::has_energy() const
+{
+  return options->energy;
+}
+
+void PairSPHSolid::require_energy(const char *what) const
+{
+  if (!options->energy)
+    error->all(FLERR, "{} needs an energy equation: expected pair_style sph/solid ... energy yes",
+               what);
 }
 
 void PairSPHSolid::require_current(const char *what) const

@@ -68,8 +68,11 @@ class PairSPHSolid : public Pair {
   // the last evaluation was a setup that continued a run
   bool has_resumed() const { return resumed; }
 
-  bool has_material(int) const;      // of own atom i: in a hybrid, others may have none
-  double time_step_limit() const;    // own atoms, Courant number 1 [time]
+  bool has_energy() const;                    // is there an energy equation?
+  void require_energy(const char *) const;    // stop if not; for whom, for the message
+  bool has_material(int) const;               // of own atom i: in a hybrid, others may have none
+  double time_step_limit() const;             // own atoms, Courant number 1 [time]
+  double usual_courant_number() const;
   void cauchy_stress(int, double *) const;
   double pressure(int) const;
   double von_mises(int) const;
@@ -110,6 +113,7 @@ class PairSPHSolid : public Pair {
   void require_one_integrator();
   void require_apart(const class Fix *);
   void require_single_layer();
+  void require_cold_materials();
   void fill_unset_state();
   void require_state();
   void measure_spacing();

@@ -15,11 +15,13 @@ namespace SPHSolid {
 
 static constexpr double PI_SPH = 3.14159265358979323846;
 
+// reach of the kernel in units of h, a little inside its edge: of neighbors that lie on
+// it, as on a square lattice with h = 1 spacing, rounding would take some and not others,
+// and all that they add is zero to rounding
+static constexpr double SUPPORT = 2.0 * (1.0 - 1.0e-8);
+
 template <int D> struct CubicSpline {
   static_assert(D == 2 || D == 3, "plane strain or three dimensions");
-
-  // reach of the kernel in units of h
-  static constexpr double SUPPORT = 2.0;
 
   // alpha_D h^D: 10/(7 pi) in 2d, 1/pi in 3d
   static constexpr double NORM = (D == 2) ? 10.0 / (7.0 * PI_SPH) : 1.0 / PI_SPH;

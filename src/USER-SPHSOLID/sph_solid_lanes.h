@@ -74,15 +74,23 @@ template <int D> inline Several<D> load_spread(const double *a)
 template <int D> inline Four times(const Several<D> &T, const Several<D> &g)
 {
   Four s = T.block[0] * g.block[0];
-  for (int n = 1; n < Several<D>::N; n++) s += T.block[n] * g.block[n];
+  for (int n = 1; n < Several<D>::N; n++) s = multiply_add(T.block[n], g.block[n], s);
   return s;
+}
+
+// result += T.g
+
+template <int D> inline void add_times(Four &result, const Several<D> &T, const Several<D> &g)
+{
+  for (int n = 0; n < Several<D>::N; n++) result = multiply_add(T.block[n], g.block[n], result);
 }
 
 // result += a (x) g, a expanded
 
 template <int D> inline void add_outer(Several<D> &result, Four a, const Several<D> &g)
 {
-  for (int n = 0; n < Several<D>::N; n++) result.block[n] += a * g.block[n];
+  for (int n = 0; n < Several<D>::N; n++)
+    result.block[n] = multiply_add(a, g.block[n], result.block[n]);
 }
 
 // all components times their counterparts

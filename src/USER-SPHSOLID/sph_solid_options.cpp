@@ -173,6 +173,13 @@ void parse_distortion(Options &o, Reader &r)
     r.unknown("distortion", form, "error, warn or ignore");
 }
 
+void parse_energy(Options &o, Reader &r)
+{
+  const std::string form = r.word("energy", "yes or no");
+  if (form != "yes" && form != "no") r.unknown("energy", form, "yes or no");
+  o.energy = (form == "yes");
+}
+
 // what only one of the two frames has
 
 void require_frame(LAMMPS *lmp, const Options &o)
@@ -219,8 +226,11 @@ Options SPHSolid::parse_options(LAMMPS *lmp, int narg, char **arg)
       o.hourglass = r.number("hourglass", "c", 0.0, false);
     else if (keyword == "distortion")
       parse_distortion(o, r);
+    else if (keyword == "energy")
+      parse_energy(o, r);
     else
-      r.unknown("keyword", keyword, "viscosity, gradient, tensile, frame, hourglass or distortion");
+      r.unknown("keyword", keyword,
+                "viscosity, gradient, tensile, frame, hourglass, distortion or energy");
   }
   if (o.hourglass == UNSET) o.hourglass = o.frame == Frame::LAGRANGIAN ? HOURGLASS_DEFAULT : 0.0;
   require_frame(lmp, o);

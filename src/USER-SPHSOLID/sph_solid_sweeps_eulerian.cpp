@@ -29,6 +29,10 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   void find_switch(const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
+  double memory_usage() const override
+  {
+    return Base::memory_usage() + static_cast<double>(crowd.capacity() * sizeof(double));
+  }
 
  private:
   using Base = SweepsBase<D>;
@@ -47,11 +51,7 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
     return p.mass[i] / p.rho_weight[i];
   }
 
-  double crowding_of(int i, int j, double r) const
-  {
-    const double spacing = 0.5 * (kin(i)[Kin::NEAR] + kin(j)[Kin::NEAR]) / opt.hbar;
-    return crowding<D>(r, 0.5 * (kin(i)[Kin::H] + kin(j)[Kin::H]), spacing, opt.tensile_n);
-  }
+  std::vector<double> crowd;    // of every pair, with artificial stress: (W/W(spacing))^n
 
   // of four particles
   struct Sums {
@@ -68,7 +68,6 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
   template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
-  Four crowding_of(int i, const int *j, Four r2) const;
   typename Base::Power pair_power(int i) const override;
   template <bool PULL, bool TENSILE> typename Base::Power pair_power(int i) const;
 };
@@ -81,6 +80,7 @@ void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &li
   Base::find_image_candidates(p, list, p.x, reach);
   Base::size_rows(p, list);
   if (needs_correction()) near_weight.resize(pairs.j.size());
+  if (opt.tensile) crowd.resize(pairs.j.size());
 }
 
 /* ----------------------------------------------------------------------
@@ -343,12 +343,10 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
       d[m] = own - Motion<D>(kj);
       const Several<D> g = d[m].spread_x() * Four(sj[Str::K] * pairs.factor[k + m]);
-      stress += times(T + load_tensor<D>(sj), g);
+      add_times<D>(stress, T + load_tensor<D>(sj), g);
       if (TENSILE) tensile[m] = times(R + load_tensor<D>(sj + extra(0)), g);
-      if (VISCOUS) {
-        state[m] = load(sj + Str::K);
-        inertia[m] = load(kj + Kin::MASS);
-      }
+      inertia[m] = load(kj + Kin::MASS);
+      if (VISCOUS) state[m] = load(sj + Str::K);
       if (RATES) {
         const Four x = d[m].expanded_x();
         l_i[m] = x * times(rate, d[m].spread_x());
@@ -359,14 +357,16 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
 
     Four r2, vr;
     Motion<D>::dots(d, r2, vr);
+    transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
+    const Four h = 0.5 * (ki[Kin::H] + inertia[2]);
     if (TENSILE) {
-      const Four fn = crowding_of(i, &pairs.j[k], r2);
-      for (int m = 0; m < LANES; m++) stress += Four(fn[m]) * tensile[m];
+      const Four spacing = (0.5 / opt.hbar) * (ki[Kin::NEAR] + inertia[3]);
+      const Four fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
+      store(&crowd[k], fn);
+      for (int m = 0; m < LANES; m++) stress = multiply_add(Four(fn[m]), tensile[m], stress);
     }
     if (VISCOUS) {
-      transpose(state[0], state[1], state[2], state[3]);            // K, rho, c, nsum or switch
-      transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
-      const Four h = 0.5 * (ki[Kin::H] + inertia[2]);
+      transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
       const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
       const Four on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Four(1.0);
       if (RATES)
@@ -377,7 +377,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       if (FORM == PairForm::SWITCHED) q *= on;
       if (keep) store(&pull[k], q);    // m_j Pi_ij F_ij
       if (correct) q = where_positive(state[3], ok_i * q, zero);
-      for (int m = 0; m < LANES; m++) viscous -= Four(q[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) viscous = multiply_add(Four(-q[m]), d[m].x(), viscous);
       mu_least = minimum(mu_least, mu);
     }
   }
@@ -391,14 +391,6 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       p.f[i][a] += mass * viscous[a];
   }
   mu_max[i] = -least(mu_least);
-}
-
-// of four pairs
-
-template <int D> Four EulerianSweeps<D>::crowding_of(int i, const int *j, Four r2) const
-{
-  return Four(crowding_of(i, j[0], std::sqrt(r2[0])), crowding_of(i, j[1], std::sqrt(r2[1])),
-              crowding_of(i, j[2], std::sqrt(r2[2])), crowding_of(i, j[3], std::sqrt(r2[3])));
 }
 
 // in: m_j Wbar_ij, from the gradient sweep
@@ -438,9 +430,8 @@ typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
     const double K_j = sall[j * stress_stride + Str::K];
     const Several<D> g = d.spread_x() * Four(-K_j * pairs.factor[k]);
     add_outer(gradient, d.expanded_v(), g);
-    if (TENSILE)
-      add_outer(crowded, d.expanded_v(), g * Four(crowding_of(i, j, separation(i, j).norm())));
-    if (PULL) viscous += Four(pull[k]) * d.products();
+    if (TENSILE) add_outer(crowded, d.expanded_v(), g * Four(crowd[k]));
+    if (PULL) viscous = multiply_add(Four(pull[k]), d.products(), viscous);
   }
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + extra(0)));
@@ -460,7 +451,7 @@ void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, doub
       const int j = pairs.j[pairs.first[i] + k];
       const Vector<D> d = separation(i, j);
       const double w = str(i)[Str::K] * str(j)[Str::K] * pairs.factor[pairs.first[i] + k];
-      const double fn = opt.tensile ? crowding_of(i, j, d.norm()) : 0.0;
+      const double fn = opt.tensile ? crowd[pairs.first[i] + k] : 0.0;
       Vector<D> f;
       for (int a = 0; a < D; a++) {
         f[a] = 0.0;

@@ -155,7 +155,7 @@ int LagrangianSweeps<D>::add_pairs(const Particles &p, int i, int n, const int *
     const double h = 0.5 * (ti.h + tj.h), support = 0.5 * opt.hbar * (ti.spacing + tj.spacing);
     const Vector<D> X = reference_separation(p, i, j);
     const double r = X.norm();
-    if ((r < support) != nearest || (!nearest && r >= 2.0 * h)) continue;
+    if ((r < support) != nearest || (!nearest && r >= SUPPORT * h)) continue;
     if (j >= p.nall && r < COINCIDE * h) continue;    // on the plane: its own image
     const double q = r / h;
     pairs.j[at] = j;
@@ -371,7 +371,8 @@ template <int D>
 template <PairForm FORM, bool HOURGLASS>
 void LagrangianSweeps<D>::force_row(const Particles &p, int i)
 {
-  constexpr bool VISCOUS = FORM != PairForm::NONE, RATES = needs_rates(FORM) || HOURGLASS;
+  constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
+                 RATES = BOTH || HOURGLASS;
   const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
   const int c_at = at_C(), r_at = at_rate();
   const Motion<D> own(kin(i));
@@ -390,16 +391,17 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
       const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
       const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
       const Several<D> X = load_spread<D>(&sep[(k + m) * D]), g = X * Four(pairs.factor[k + m]);
-      stress += times(T + load_tensor<D>(sj), g);
+      add_times<D>(stress, T + load_tensor<D>(sj), g);
       if (!VISCOUS && !HOURGLASS) continue;
       d[m] = own - Motion<D>(kj);
       const Four x = d[m].expanded_x();
       state[m] = load(sj + Str::K);
       if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + c_at), g);
-      if (RATES) {
+      if (BOTH) {
         l_i[m] = x * times(rate, X);
         l_j[m] = x * times(load_tensor<D>(sj + r_at), X);
-      }
+      } else if (RATES)
+        l_i[m] = x * times(rate + load_tensor<D>(sj + r_at), X);
     }
     if (!VISCOUS && !HOURGLASS) continue;
 
@@ -407,16 +409,14 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
     Motion<D>::dots(d, r2, vr);
     const Four inv_r2 = 1.0 / r2;
     transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
-    Four li = zero, lj = zero;
-    if (RATES) {
-      li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
-      lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
-    }
+    Four li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
+    if (RATES) li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
+    if (BOTH) lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
     if (HOURGLASS) {
       const Four impedance = 0.5 * opt.hourglass * (si[Str::K] + state[0]);
       const Four s = impedance * load(&pairs.factor[k]) * (vr - 0.5 * (li + lj)) * inv_r2;
       store(&damp[k], s);
-      for (int m = 0; m < LANES; m++) hourglass += Four(s[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) hourglass = multiply_add(Four(s[m]), d[m].x(), hourglass);
     }
     if (VISCOUS) {
       const Four on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Four(1.0);
@@ -429,7 +429,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
       Four s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
       if (keep) store(&pull[k], s);
       if (correct) s = where_positive(state[3], ok_i * s, zero);
-      for (int m = 0; m < LANES; m++) viscous -= Four(s[m]) * d[m].x();
+      for (int m = 0; m < LANES; m++) viscous = multiply_add(Four(-s[m]), d[m].x(), viscous);
       mu_least = minimum(mu_least, mu);
     }
   }
@@ -483,8 +483,8 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const Motion<D> d = Motion<D>(kall + static_cast<std::int64_t>(pairs.j[k]) * Kin::STRIDE) - own;
     add_outer(gradient, d.expanded_v(), load_spread<D>(&sep[k * D]) * Four(pairs.factor[k]));
-    if (PULL) viscous += Four(pull[k]) * d.products();
-    if (DAMP) hourglass -= Four(damp[k]) * d.products();
+    if (PULL) viscous = multiply_add(Four(pull[k]), d.products(), viscous);
+    if (DAMP) hourglass = multiply_add(Four(-damp[k]), d.products(), hourglass);
   }
   const double V0 = kin(i)[Kin::VOLUME];
   return {V0 * contract(gradient, load_tensor<D>(str(i))), 0.5 * V0 * Motion<D>::v_dot_x(viscous),

@@ -26,11 +26,27 @@ template <int D> inline Tensor<D> artificial_stress(const Tensor<D> &sigma, doub
   return -eps * eigen.eigenvectors() * tension.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-// (W(r)/W(spacing))^n
+// base^n; whole exponents, as the usual 4 is one, by multiplication
 
-template <int D> inline double crowding(double r, double h, double spacing, double n)
+inline double power(double base, double n)
 {
-  return std::pow(CubicSpline<D>::w(r, h) / CubicSpline<D>::w(spacing, h), n);
+  return std::pow(base, n);
+}
+inline Four power(Four base, double n)
+{
+  if (n != std::floor(n) || n > 16.0)
+    return Four(std::pow(base[0], n), std::pow(base[1], n), std::pow(base[2], n),
+                std::pow(base[3], n));
+  Four product = base;
+  for (int k = 1; k < static_cast<int>(n); k++) product *= base;
+  return product;
+}
+
+// (W(r)/W(spacing))^n; numbers or vectors of them
+
+template <int D, class Real> inline Real crowding(Real r, Real h, Real spacing, double n)
+{
+  return power(CubicSpline<D>::w(r, h) / CubicSpline<D>::w(spacing, h), n);
 }
 
 }    // namespace SPHSolid

@@ -23,6 +23,9 @@
 #if !defined(__GNUC__) && !defined(SPHSOLID_PORTABLE_VECTOR)
 #define SPHSOLID_PORTABLE_VECTOR
 #endif
+#if defined(__FMA__) && !defined(SPHSOLID_PORTABLE_VECTOR)
+#include <immintrin.h>
+#endif
 
 namespace SPHSolid {
 
@@ -71,6 +74,16 @@ inline Native operator/(const Native &a, const Native &b)
     return a[k] / b[k];
   });
 }
+inline Native native_multiply_add(const Native &a, const Native &b, const Native &c)
+{
+  return each_lane([&](int k) {
+#ifdef __FMA__
+    return std::fma(a[k], b[k], c[k]);
+#else
+    return a[k] * b[k] + c[k];
+#endif
+  });
+}
 inline Native native_where_positive(const Native &condition, const Native &a, const Native &b)
 {
   return each_lane([&](int k) {
@@ -89,6 +102,14 @@ template <int i, int j, int k, int l> inline Native native_shuffle(const Native 
 
 typedef double Native __attribute__((vector_size(LANES * sizeof(double))));
 
+inline Native native_multiply_add(Native a, Native b, Native c)
+{
+#ifdef __FMA__
+  return _mm256_fmadd_pd(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
 inline Native native_where_positive(Native condition, Native a, Native b)
 {
   return condition > Native{0.0, 0.0, 0.0, 0.0} ? a : b;
@@ -138,6 +159,15 @@ class Four {
  private:
   Native v;
 };
+
+// a b + c, rounded once where the instruction set can.  Only where it is asked for: the
+// compiler, left free to choose, takes it in a vector loop and not in what is left over, and
+// numbers would depend on where in a row a pair stands
+
+inline Four multiply_add(Four a, Four b, Four c)
+{
+  return Four(native_multiply_add(a.native(), b.native(), c.native()));
+}
 
 // lanes of a (0 to 3) and b (4 to 7)
 

@@ -58,3 +58,17 @@ TEST(Tensile, Crowding)
   EXPECT_NEAR(crowding<3>(0.0, 1.3, 1.3, 4.0), 256.0, 1e-11);
   EXPECT_EQ(crowding<2>(2.6, 1.3, 1.0, 4.0), 0.0);
 }
+
+// whole exponents are products there
+
+TEST(Tensile, CrowdingInVectors)
+{
+  const double r[LANES] = {0.0, 0.7, 1.3, 2.6};
+  for (const double n : {1.0, 4.0, 3.5, 17.0}) {
+    const Four four = crowding<3>(load(r), Four(1.3), Four(1.0), n);
+    for (int m = 0; m < LANES; m++) {
+      const double one = crowding<3>(r[m], 1.3, 1.0, n);
+      EXPECT_NEAR(four[m], one, 1.0e-14 * one) << n << " " << r[m];
+    }
+  }
+}

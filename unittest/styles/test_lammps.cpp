@@ -276,6 +276,78 @@ TEST(Fixes, MomentumIsRemoved)
   EXPECT_NEAR(s.value("vcm(all,y)"), 0.0, 1.0e-10);
 }
 
+// at rest: h/(c_L + 0.6 a1 c/2) of iron with viscosity correct, times the Courant number
+// that the documentation of the fix gives for each frame
+
+TEST(Fixes, AutoTimeStepIsThatOfTheFrame)
+{
+  Session s;
+  Block b = body();
+  b.motion = "";
+  b.options = "viscosity correct";
+  b.fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 auto\n";
+  s(b.script());
+  s("run 0");
+  const double c = 3600.0, c_l = std::sqrt(c * c + 4.0 * 80.0e9 / (3.0 * 7850.0));
+  const double courant = b.frame == "lagrangian" ? 1.0 : 0.3;
+  EXPECT_NEAR(s.value("dt"), courant * b.h / (c_l + 0.3 * c), 1.0e-12 * b.h / c);
+}
+
+/* ----------------------------------------------------------------------
+   without an energy equation
+------------------------------------------------------------------------- */
+
+const char COLD_IRON[] = "inline rho0 7850 shear 80e9 eos mie-gruneisen 3600 1.8 0 strength "
+                         "perfect 600e6\n";
+
+State cold(const std::string &energy)
+{
+  Block b = body();
+  b.options = "viscosity correct energy " + energy;
+  b.material = COLD_IRON;
+  Session s;
+  s(b.script());
+  s("run 60");
+  return s.state();
+}
+
+// with Gamma = 0 nothing depends on the internal energy, which stays what it was
+
+TEST(NoEnergy, MovesTheSame)
+{
+  State with = cold("yes");
+  const State without = cold("no");
+  EXPECT_GT(with[3].e, 0.0);
+  for (auto &particle : with) particle.e = 0.0;
+  expect_bitwise(with, without);
+}
+
+TEST(NoEnergy, RefusesMaterialsThatNeedIt)
+{
+  Block b = body();
+  b.options = "energy no";
+  Session s;
+  s(b.script());
+  EXPECT_THAT(s.error("run 0"),
+              HasSubstr("Pair style sph/solid: the pressure of type 1 depends on its internal "
+                        "energy, Gamma = 1.8: expected energy yes, or gamma 0"));
+}
+
+TEST(NoEnergy, RefusesOutputOfEnergies)
+{
+  Block b = body();
+  b.options = "energy no";
+  b.material = COLD_IRON;
+  for (const std::string compute : {"energy", "atom rho e"}) {
+    Session s;
+    s(b.script());
+    s("compute one all sph/solid/" + compute);
+    EXPECT_THAT(s.error("run 0"),
+                HasSubstr("needs an energy equation: expected pair_style "
+                          "sph/solid ... energy yes"));
+  }
+}
+
 TEST(Fixes, HaltStopsAtATime)
 {
   Session s;

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
              "frame eulerian viscosity front gradient plain tensile artificial 0.3 4", ""},
         Case{"distortion_error", "distortion error", ""},
         Case{"distortion_warn", "distortion warn", ""},
-        Case{"distortion_ignore", "distortion ignore", ""},
+        Case{"distortion_ignore", "distortion ignore", ""}, Case{"energy_yes", "energy yes", ""},
         Case{"hourglass_zero", "hourglass 0", ""},
         Case{"any_order", "hourglass 0 frame eulerian tensile none viscosity none", ""}),
     name_of);
@@ -91,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"h_negative", "-1", "smoothing length h of pair_style is -1: expected a number > 0"},
         Case{"h_nan", "nan", "smoothing length h of pair_style is 'nan': expected a number > 0"},
         Case{"keyword", "1 viscous none",
-             "unknown keyword 'viscous': expected viscosity, gradient, tensile, frame, hourglass "
-             "or distortion"},
+             "unknown keyword 'viscous': expected viscosity, gradient, tensile, frame, hourglass, "
+             "distortion or energy"},
         Case{"viscosity_missing", "1 viscosity",
              "keyword viscosity needs none, monaghan, correct, limited, balsara or front"},
         Case{"viscosity_word", "1 viscosity some",
@@ -121,11 +121,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"heating_word", "1 viscosity correct heating none",
              "unknown viscosity correct heating 'none': expected compatible or printed"},
         Case{"correct_keyword", "1 viscosity correct beta 1",
-             "unknown keyword 'beta': expected viscosity, gradient, tensile, frame, hourglass or "
-             "distortion"},
+             "unknown keyword 'beta': expected viscosity, gradient, tensile, frame, hourglass, "
+             "distortion or energy"},
         Case{"gradient_missing", "1 gradient", "keyword gradient needs plain or corrected"},
         Case{"gradient_word", "1 gradient exact",
              "unknown gradient 'exact': expected plain or corrected"},
+        Case{"energy_missing", "1 energy", "keyword energy needs yes or no"},
+        Case{"energy_word", "1 energy off", "unknown energy 'off': expected yes or no"},
         Case{"tensile_missing", "1 tensile", "keyword tensile needs none or artificial"},
         Case{"tensile_word", "1 tensile some",
              "unknown tensile 'some': expected none or artificial"},
@@ -144,8 +146,8 @@ INSTANTIATE_TEST_SUITE_P(
              "a2 of viscosity balsara is -1: expected a number >= 0"},
         Case{"front_alpha", "1 viscosity front alpha 1", "keyword viscosity front alpha needs a2"},
         Case{"front_keyword", "1 viscosity front 1",
-             "unknown keyword '1': expected viscosity, gradient, tensile, frame, hourglass or "
-             "distortion"},
+             "unknown keyword '1': expected viscosity, gradient, tensile, frame, hourglass, "
+             "distortion or energy"},
         Case{"safe_printed", "1 viscosity correct weights safe heating printed",
              "heating printed needs weights conservative or shepard: weights safe heats "
              "compatibly"},
