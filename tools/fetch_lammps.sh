@@ -85,29 +85,23 @@ debian_mirror() {
   echo "${found:-http://deb.debian.org/debian}"
 }
 
-# from_debian <YYYYMMDD>: leaves $work/archive
-from_debian() {
-  local date=$1 keyring= suite version mirror why file
-  if ! command -v apt-get > /dev/null || ! command -v apt-cache > /dev/null; then
-    failed "Debian's source archive: this machine has no apt"
-    return 1
-  fi
+debian_keyring() {
+  local file
   for file in /usr/share/keyrings/debian-archive-keyring.{gpg,pgp}; do
-    [[ -r $file ]] && keyring=$file && break
+    [[ -r $file ]] && echo "$file" && return
   done
-  if [[ -z $keyring ]]; then
-    failed "Debian's source archive: /usr/share/keyrings/debian-archive-keyring.gpg is missing (package debian-archive-keyring)"
-    return 1
-  fi
-  mirror=$(debian_mirror)
+  return 1
+}
 
-  for suite in ${suites[$date]}; do    # one index at a time: each is ten megabytes
-    local dir=$work/apt-$suite
-    mkdir -p "$dir/lists/partial" "$dir/cache/archives/partial" "$dir/download"
-    echo "deb-src [signed-by=$keyring] $mirror $suite main" > "$dir/sources.list"
-    {
-      apt-config dump 2> /dev/null | grep -E '^Acquire::(http|https|Proxy)'    # proxies of this machine
-      cat << END_OF_CONF
+# apt_folder <folder> <source line>: an apt of its own. Check-Valid-Until: the index of a mirror that lags
+# behind will do. The version is fixed, and the signature is checked all the same.
+apt_folder() {
+  local dir=$1
+  mkdir -p "$dir/lists/partial" "$dir/cache/archives/partial" "$dir/download"
+  echo "$2" > "$dir/sources.list"
+  {
+    apt-config dump 2> /dev/null | grep -E '^Acquire::(http|https|Proxy)'    # proxies of this machine
+    cat << END_OF_CONF
 Dir::Etc::Main "/dev/null";
 Dir::Etc::Parts "/dev/null";
 Dir::Etc::sourcelist "$dir/sources.list";
@@ -124,30 +118,51 @@ Acquire::Retries "1";
 Acquire::http::Timeout "20";
 Acquire::https::Timeout "20";
 END_OF_CONF
-    } > "$dir/apt.conf"
+  } > "$dir/apt.conf"
+}
 
-    # Check-Valid-Until: the index of a mirror that lags behind will do. The version is fixed, and the
-    # signature is checked all the same.
-    say "looking for LAMMPS $date in Debian $suite at $mirror"
-    # apt calls a server that does not answer a warning
-    APT_CONFIG=$dir/apt.conf timeout 300 apt-get -qq update > /dev/null 2> "$work/reason"
-    version=$(APT_CONFIG=$dir/apt.conf apt-cache showsrc lammps 2> /dev/null |
-      awk -v date="$date" '$1 == "Version:" && index($2, date) == 1 { print $2; exit }')
-    if [[ -z $version ]]; then
-      why=$(grep '^[WE]:' "$work/reason" | head -n 1 | cut -c -160)
-      failed "Debian $suite at $mirror: ${why:-it has no lammps $date}"
-      continue
-    fi
-    say "fetching lammps $version"
-    if ! (cd "$dir/download" && APT_CONFIG=$dir/apt.conf timeout 3600 apt-get -qq source \
-      --download-only --tar-only "lammps=$version" > /dev/null 2> "$work/reason"); then
-      failed "Debian $suite at $mirror: $(reason)"
-      continue
-    fi
-    for file in "$dir"/download/lammps_*.orig.tar.*; do
-      [[ $file == *.asc ]] || mv "$file" "$work/archive"
-    done
-    return 0
+# from_suite <folder of apt> <YYYYMMDD> <what to call the suite>: leaves $work/archive
+from_suite() {
+  local dir=$1 date=$2 version why file
+  local -x APT_CONFIG=$dir/apt.conf
+  say "looking for LAMMPS $date in $3"
+  # apt calls a server that does not answer a warning
+  timeout 300 apt-get -qq update > /dev/null 2> "$work/reason"
+  version=$(apt-cache showsrc lammps 2> /dev/null |
+    awk -v date="$date" '$1 == "Version:" && index($2, date) == 1 { print $2; exit }')
+  if [[ -z $version ]]; then
+    why=$(grep '^[WE]:' "$work/reason" | head -n 1 | cut -c -160)
+    failed "$3: ${why:-it has no lammps $date}"
+    return 1
+  fi
+  say "fetching lammps $version"
+  if ! (cd "$dir/download" && timeout 3600 apt-get -qq source --download-only --tar-only \
+    "lammps=$version" > /dev/null 2> "$work/reason"); then
+    failed "$3: $(reason)"
+    return 1
+  fi
+  for file in "$dir"/download/lammps_*.orig.tar.*; do
+    [[ $file == *.asc ]] || mv "$file" "$work/archive"
+  done
+  return 0
+}
+
+# from_debian <YYYYMMDD>: leaves $work/archive
+from_debian() {
+  local date=$1 keyring suite mirror dir
+  if ! command -v apt-get > /dev/null || ! command -v apt-cache > /dev/null; then
+    failed "Debian's source archive: this machine has no apt"
+    return 1
+  fi
+  if ! keyring=$(debian_keyring); then
+    failed "Debian's source archive: /usr/share/keyrings/debian-archive-keyring.gpg is missing (package debian-archive-keyring)"
+    return 1
+  fi
+  mirror=$(debian_mirror)
+  for suite in ${suites[$date]}; do    # one index at a time: each is ten megabytes
+    dir=$work/apt-$suite
+    apt_folder "$dir" "deb-src [signed-by=$keyring] $mirror $suite main"
+    from_suite "$dir" "$date" "Debian $suite at $mirror" && return
   done
   return 1
 }

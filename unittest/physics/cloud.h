@@ -322,54 +322,55 @@ inline Cloud random_cloud(int dim, int seed = 1)
   return c;
 }
 
-// sums over a cloud after evaluate()
+// an undisturbed lattice, n to a side, and its middle particle where n is odd
 
-inline double power(const Cloud &c)
+inline Cloud lattice(int dim, int n)
 {
-  double sum = 0.0;
-  for (int i = 0; i < c.size(); i++) sum += c.f(i).dot(c.v[i]);
-  return sum;
+  Cloud c(dim);
+  c.add_lattice(n, n, n);
+  return c;
 }
 
-inline double absolute_power(const Cloud &c)
+inline int middle(const Cloud &c)
 {
-  double sum = 0.0;
-  for (int i = 0; i < c.size(); i++) sum += std::fabs(c.f(i).dot(c.v[i]));
-  return sum;
+  return c.size() / 2;
 }
 
-inline double sum(const std::vector<double> &all)
+// a round body, which has no corners
+
+inline Cloud disc()
 {
-  double s = 0.0;
-  for (double one : all) s += one;
-  return s;
+  Cloud c(2);
+  for (int i = -6; i <= 6; i++)
+    for (int j = -6; j <= 6; j++)
+      if (i * i + j * j <= 40) c.add(Vector3d(i, j, 0), Vector3d::Zero());
+  Noise noise(3);
+  c.stir(noise, 0.1);
+  return c;
 }
 
-// net force over the sum of all forces
+// two particles on the x axis that approach each other with a speed of 0.2
 
-inline double net_force(const Cloud &c)
+inline Cloud closing_pair(double distance, int dim = 2)
 {
-  Vector3d net = Vector3d::Zero();
-  double all = 0.0;
-  for (int i = 0; i < c.size(); i++) {
-    net += c.f(i);
-    all += c.f(i).norm();
-  }
-  return net.norm() / all;
+  Cloud c(dim);
+  c.add({0, 0, 0}, {0.1, 0, 0});
+  c.add({distance, 0, 0}, {-0.1, 0, 0});
+  return c;
 }
 
-inline Vector3d torque(const Cloud &c)
+// the tensor of xx, yy, zz, xy, xz, yz, and back
+
+inline Matrix3d symmetric(const double *s)
 {
-  Vector3d net = Vector3d::Zero();
-  for (int i = 0; i < c.size(); i++) net += c.x[i].cross(c.f(i));
-  return net;
+  Matrix3d t;
+  t << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
+  return t;
 }
 
-inline double absolute_torque(const Cloud &c)
+inline std::array<double, 6> components(const Matrix3d &t)
 {
-  double all = 0.0;
-  for (int i = 0; i < c.size(); i++) all += c.x[i].norm() * c.f(i).norm();
-  return all;
+  return {t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(0, 2), t(1, 2)};
 }
 
 }    // namespace SPHSolid

@@ -289,6 +289,9 @@ static constexpr double RHO0 = 7850.0, C0 = 3600.0, S0 = 1.8, GAMMA = 1.8, MU = 
 static constexpr const char *IRON =
     "inline rho0 7850 eos mie-gruneisen 3600 1.8 1.8 shear 80e9 strength perfect 600e6\n";
 
+inline const std::string NEIGHBOR = "neighbor 0.0003 bin\nneigh_modify every 1 delay 0 check yes\n";
+inline const std::string MOVE = "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n";
+
 // a block of nx x ny (x nz) particles, 1 mm apart, the lowest one at the
 // origin, in an ample box.  Every text goes where its name says
 
@@ -303,7 +306,7 @@ struct Block {
   std::string options = "";    // of pair_style
   std::string material = IRON;
   std::string motion = "velocity all set 0 -200 0 units box\n";
-  std::string fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n";
+  std::string fixes = MOVE;
 
   double spacing() const { return 1.0e-3; }
 
@@ -330,8 +333,7 @@ struct Block {
   std::string interaction() const
   {
     return "pair_style sph/solid " + num(h) + " frame " + frame + " " + options +
-        "\npair_coeff * * " + material +
-        "neighbor 0.0003 bin\nneigh_modify every 1 delay 0 check yes\n";
+        "\npair_coeff * * " + material + NEIGHBOR;
   }
 
   std::string script() const { return particles() + interaction() + motion + fixes; }

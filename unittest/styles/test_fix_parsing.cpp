@@ -2,20 +2,11 @@
    Arguments of the fixes and computes: the message for every wrong one.
 ------------------------------------------------------------------------- */
 
-#include "session.h"
+#include "answers.h"
 
 using namespace sphsolid_test;
 
 namespace {
-
-struct Case {
-  std::string name, command, message;
-};
-
-std::string name_of(const testing::TestParamInfo<Case> &info)
-{
-  return info.param.name;
-}
 
 std::string answer(const std::string &command)
 {
@@ -30,7 +21,7 @@ class CommandRefuses : public testing::TestWithParam<Case> {};
 
 TEST_P(CommandRefuses, WithMessage)
 {
-  EXPECT_THAT(answer(GetParam().command), HasSubstr(GetParam().message));
+  EXPECT_THAT(answer(GetParam().input), HasSubstr(GetParam().message));
 }
 
 INSTANTIATE_TEST_SUITE_P(Fix, CommandRefuses,
@@ -113,7 +104,7 @@ TEST_P(CommandAccepts, AndRuns)
   b.nx = b.ny = 4;
   b.fixes = "fix move all sph/solid\ntimestep 1e-8\n";
   s(b.script());
-  s(GetParam().command);
+  s(GetParam().input);
   s("run 2");
   EXPECT_EQ(s.value("step"), 2.0);
 }
@@ -149,7 +140,7 @@ TEST_P(NeedsThePair, AndSaysSo)
   Session s;
   s(Block().particles());
   s("pair_style zero 1e-3\npair_coeff * *");
-  s(GetParam().command);
+  s(GetParam().input);
   EXPECT_THAT(
       s.error("run 0"),
       HasSubstr(GetParam().message + " needs pair style sph/solid, once (alone or in hybrid)"));

@@ -2,20 +2,11 @@
    pair_coeff of sph/solid: keywords, cards, and the message for every error.
 ------------------------------------------------------------------------- */
 
-#include "session.h"
+#include "answers.h"
 
 using namespace sphsolid_test;
 
 namespace {
-
-struct Case {
-  std::string name, arguments, message;
-};
-
-std::string name_of(const testing::TestParamInfo<Case> &info)
-{
-  return info.param.name;
-}
 
 // the answer to one pair_coeff command
 
@@ -37,7 +28,7 @@ TEST_P(InlineMaterial, IsAccepted)
 {
   Block b;
   b.nx = b.ny = 4;
-  b.material = "inline " + GetParam().arguments + "\n";
+  b.material = "inline " + GetParam().input + "\n";
   Session s;
   s(b.script());
   s("run 2");
@@ -92,7 +83,7 @@ class PairCoeffRefuses : public testing::TestWithParam<Case> {};
 
 TEST_P(PairCoeffRefuses, WithMessage)
 {
-  EXPECT_THAT(pair_coeff(GetParam().arguments), HasSubstr(GetParam().message + " ("));
+  EXPECT_THAT(pair_coeff(GetParam().input), HasSubstr(GetParam().message + " ("));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -2,20 +2,11 @@
    pair_style sph/solid: every keyword, and the message for every wrong value.
 ------------------------------------------------------------------------- */
 
-#include "session.h"
+#include "answers.h"
 
 using namespace sphsolid_test;
 
 namespace {
-
-struct Case {
-  std::string name, arguments, message;
-};
-
-std::string name_of(const testing::TestParamInfo<Case> &info)
-{
-  return info.param.name;
-}
 
 Block small(const std::string &arguments)
 {
@@ -32,7 +23,7 @@ class PairStyleAccepts : public testing::TestWithParam<Case> {};
 TEST_P(PairStyleAccepts, AndRuns)
 {
   Session s;
-  s(small(GetParam().arguments).script());
+  s(small(GetParam().input).script());
   s("run 2");
   EXPECT_EQ(s.value("step"), 2.0);
 }
@@ -87,7 +78,7 @@ TEST_P(PairStyleRefuses, WithMessage)
 {
   Session s;
   s(small("").particles());
-  EXPECT_THAT(s.error("pair_style sph/solid " + GetParam().arguments),
+  EXPECT_THAT(s.error("pair_style sph/solid " + GetParam().input),
               HasSubstr("pair_style sph/solid: " + GetParam().message + " ("));
 }
 

@@ -5,43 +5,21 @@
    Started by mpiexec; the reference is a run of the first rank alone.
 ------------------------------------------------------------------------- */
 
-#include "session.h"
+#include "ranks.h"
 
 using namespace sphsolid_test;
 
 namespace {
 
-int rank_of(MPI_Comm comm)
-{
-  int me;
-  MPI_Comm_rank(comm, &me);
-  return me;
-}
-
-// broadcast; who waits sleeps, since tests may run on fewer cores than ranks
-
-void share(void *data, int bytes)
-{
-  MPI_Request request;
-  MPI_Ibcast(data, bytes, MPI_BYTE, 0, MPI_COMM_WORLD, &request);
-  for (int done = 0; !done;) {
-    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-    if (!done) usleep(1000);
-  }
-}
-
 State alone(const std::string &script)
 {
   State state;
-  if (rank_of(MPI_COMM_WORLD) == 0) {
+  if (first_rank()) {
     Session s(MPI_COMM_SELF);
     s(script);
     state = s.state();
   }
-  int n = static_cast<int>(state.size());
-  share(&n, sizeof(n));
-  state.resize(n);
-  share(state.data(), n * sizeof(Particle));
+  share(state);
   return state;
 }
 
@@ -85,9 +63,7 @@ Block block3d()
 
 std::string run()
 {
-  int n;
-  MPI_Comm_size(MPI_COMM_WORLD, &n);
-  return n > 2 ? "run 20\n" : "run 60\n";
+  return ranks() > 2 ? "run 20\n" : "run 60\n";
 }
 
 std::string newton(Block b, const std::string &flag)
@@ -130,9 +106,9 @@ TEST_P(Ranks, DoNotChangeMonaghansViscosity)
 TEST_P(Ranks, DoNotChangeAQuarterModel)
 {
   Block b = rod();
-  b.fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n"
-            "fix left all sph/solid/wall xlo -0.0005 symmetry\n"
-            "fix floor all sph/solid/wall ylo -0.0005 symmetry\n";
+  b.fixes = MOVE +
+      "fix left all sph/solid/wall xlo -0.0005 symmetry\n"
+      "fix floor all sph/solid/wall ylo -0.0005 symmetry\n";
   expect_bitwise(alone(newton(b, "off") + run()), together(newton(b, GetParam()) + run()));
 }
 
@@ -190,7 +166,7 @@ TEST(Ranks, AgreeOnTheEnergies)
     for (int k = 0; k < 7; k++) out[k] = s.value("c_e[" + std::to_string(k + 1) + "]");
     out[7] = s.value("c_e");
   };
-  if (rank_of(MPI_COMM_WORLD) == 0) {
+  if (first_rank()) {
     Session s(MPI_COMM_SELF);
     s(script);
     read(s, reference);
@@ -207,35 +183,18 @@ TEST(Ranks, AgreeOnTheEnergies)
 
 TEST(Ranks, ContinueARestartFileOfOneRank)
 {
-  std::string path = file("restart.one");
-  char text[512] = "";
-  snprintf(text, sizeof(text), "%s", path.c_str());
-  share(text, sizeof(text));
-  path = text;
-  const std::string fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n"
-                            "fix floor all sph/solid/wall ylo 0.0\n";
+  const std::string path = shared_file("restart.one");
   const State reference = alone(rod().script() + "run 30\nwrite_restart " + path + "\n" + run());
   expect_bitwise(reference,
-                 together("read_restart " + path +
-                          "\nneighbor 0.0003 bin\n"
-                          "neigh_modify every 1 delay 0 check yes\n" +
-                          fixes + run()));
+                 together("read_restart " + path + "\n" + NEIGHBOR + rod().fixes + run()));
 }
 
 TEST(Ranks, WriteARestartFileThatOneRankContinues)
 {
-  std::string path = file("restart.all");
-  char text[512] = "";
-  snprintf(text, sizeof(text), "%s", path.c_str());
-  share(text, sizeof(text));
-  path = text;
+  const std::string path = shared_file("restart.all");
   together(rod().script() + "run 30\nwrite_restart " + path + "\n");
   expect_bitwise(alone(rod().script() + "run 30\n" + run()),
-                 alone("read_restart " + path +
-                       "\nneighbor 0.0003 bin\nneigh_modify every 1 delay 0 check yes\n"
-                       "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n"
-                       "fix floor all sph/solid/wall ylo 0.0\n" +
-                       run()));
+                 alone("read_restart " + path + "\n" + NEIGHBOR + rod().fixes + run()));
 }
 
 /* ----------------------------------------------------------------------
@@ -247,14 +206,7 @@ TEST(Ranks, WriteARestartFileThatOneRankContinues)
 
 std::string log_of(const Session &s)
 {
-  return rank_of(MPI_COMM_WORLD) == 0 ? s.log() : "";
-}
-
-int ranks()
-{
-  int n;
-  MPI_Comm_size(MPI_COMM_WORLD, &n);
-  return n;
+  return first_rank() ? s.log() : "";
 }
 
 // a ribbon is pulled to twice its length.  A skin of a tenth of a spacing: ghosts
@@ -286,7 +238,7 @@ TEST(RanksOfTheLagrangianFrame, FollowStretchedPartners)
   Session s;
   s(ribbon() + "run 5000\n");
   expect_bitwise(reference, s.state());
-  if (rank_of(MPI_COMM_WORLD) == 0) {
+  if (first_rank()) {
     if (ranks() > 1)
       EXPECT_THAT(log_of(s), HasSubstr("sph/solid: ghost cutoff enlarged to "));
     else
@@ -307,7 +259,6 @@ TEST(RanksOfTheLagrangianFrame, AgreeOnAPeriodicBar)
   b.first = "processors * 1 1\n";
   b.motion = "reset_atoms id sort yes\nvariable vy atom 2e4*(y-0.002)*(1+0.3*cos(2*PI*x/0.012))\n"
              "velocity all set 200 v_vy 0 units box\n";
-  b.fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 0.3\n";
   const State reference = alone(b.script() + "run 100\n"),
               here = together(b.script() + "run 100\n");
   EXPECT_LT(largest_difference(reference, here), 1.0e-12);

@@ -9,7 +9,6 @@ using namespace sphsolid_test;
 
 namespace {
 
-const std::string NEIGHBOR = "neighbor 0.0003 bin\nneigh_modify every 1 delay 0 check yes\n";
 const std::string FIXES = "fix move all sph/solid\nfix step all sph/solid/dt 10 0.3\n"
                           "fix floor all sph/solid/wall ylo 0.0 contact\n";
 

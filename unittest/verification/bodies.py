@@ -1,4 +1,4 @@
-"""What the scenes with two-dimensional bodies share: distances between particles, zero crossings, pictures of a body.
+"""What the scenes with two-dimensional bodies share: distances between particles, pictures of a body.
 
 Measuring needs nothing but Python."""
 
@@ -47,11 +47,6 @@ def pieces(shot, reach):
     for k in range(len(root)):
         sizes[find(k)] = sizes.get(find(k), 0) + 1
     return sorted(sizes.values(), reverse=True)
-
-
-def crossings(t, y):
-    """Times at which y changes sign; the first line does not count."""
-    return [t[k - 1] + (t[k] - t[k - 1]) * y[k - 1] / (y[k - 1] - y[k]) for k in range(2, len(t)) if y[k - 1] * y[k] < 0]
 
 
 def particles(axes, shot, size, values, norm, cmap="viridis", unit=1.0):

@@ -197,6 +197,29 @@ def order(results, figure):
     return -sum((x - x0) * (y - y0) for x, y in points) / sum((x - x0) ** 2 for x, _ in points)
 
 
+@dataclass
+class Overview:
+    """What judge() has its sentence from, where a method has one series."""
+    last: list        # the finest result of each method
+    figures: dict     # {key of the method: its figures there}
+    orders: dict      # {key of the method: observed order of the error}
+
+    @property
+    def default(self):
+        return self.figures[methods.DEFAULT]
+
+    def reach(self, least):
+        """How many methods have this order."""
+        return f"{sum(value >= least for value in self.orders.values())} of {len(self.orders)} methods reach"
+
+
+def overview(results, error=""):
+    """error: the figure whose order is asked for."""
+    last = finest(results)
+    return Overview(last, {r.case.method.key: r.figures for r in last},
+                    {key: order(group, error) for key, group in series(results).items()} if error else {})
+
+
 def complaints(scene, results):
     """What the test has against these results: a list of sentences, and the number of gates that were looked at."""
     found, looked = [], 0

@@ -16,6 +16,21 @@ class Method:
     gradient: str = ""      # corrected or plain
     frame: str = ""
 
+    @property
+    def kind(self):
+        """Which viscosity: the key without the letter of the frame."""
+        return self.key.split("-")[-1]
+
+    @property
+    def whole(self):
+        """Is the viscosity whole in a shock?"""
+        return self.kind.startswith(("monaghan", "balsara", "front"))
+
+    @property
+    def little(self):
+        """Does it take next to nothing from a smooth flow, and little from a shock?"""
+        return self.kind in ("correct", "safe", "none", "limited05")
+
     def script(self, scene):
         return f"in.{scene}.{self.stock}" if self.stock else f"in.{scene}"
 
@@ -56,5 +71,4 @@ METHODS = [
     Method("sph", "sph/* (SPH)", "styles that come with LAMMPS", "sph"),
 ]
 BY_KEY = {method.key: method for method in METHODS}
-WHOLE = ("monaghan", "balsara", "front")    # keys that begin so: the viscosity is whole in a shock
 DEFAULT = "L-correct"    # what a user gets who sets nothing

@@ -16,7 +16,7 @@ LETTERS = {"Lagrangian frame": "Lagrangian", "Eulerian frame, corrected gradient
 
 def look(method):
     """Keywords of a line for this method; methods that are new get a colour of their own."""
-    key = method.key.split("-")[-1]
+    key = method.kind
     return {"color": COLOURS.get(key, f"C{sum(map(ord, key)) % 10}"), "linestyle": LINES.get(method.group, "-."),
             "linewidth": 1.2}
 
@@ -52,6 +52,27 @@ def convergence(axes, results, name, floor=0.0):
     axes.xaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_minor_formatter(LogFormatterSciNotation(minor_thresholds=(1, 0.4)))
     axes.tick_params(axis="y", which="minor", labelsize=7)
+
+
+def finest_lagrangian(results, output="dump"):
+    """(result, colour) of what came to its end in the Lagrangian frame at the finest n; output: what has to be there."""
+    size = max(r.case.n for r in results)
+    for each in results:
+        case = each.case
+        if not each.failed and case.n == size and case.method.frame == "lagrangian" and getattr(case, output).exists():
+            yield each, look(case.method)["color"]
+
+
+def title(results):
+    """Of the axes with finest_lagrangian()."""
+    return f"Lagrangian frame, n = {max(r.case.n for r in results)}"
+
+
+def error_axes(figure, axes, results, name, text, floor=0.0):
+    """The last axes of a figure: error against n of all methods, and what their lines mean."""
+    convergence(axes, results, name, floor)
+    axes.set(xlabel="n", ylabel=text)
+    legend(figure, axes)
 
 
 def slope(axes, order, n, value):

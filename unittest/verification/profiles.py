@@ -4,6 +4,8 @@ A profile is {name: [values]}, one value per column of particles, ordered by x; 
 
 import math
 
+from running import snapshots
+
 
 def profile(first, shot):
     """Means over the columns of the lattice. first: the snapshot that shows the lattice, sorted by particle as shot."""
@@ -16,6 +18,12 @@ def profile(first, shot):
             found[name].append(sum(values[k] for k in group) / len(group))
     order = sorted(range(len(found["x"])), key=lambda k: found["x"][k])
     return {name: [values[k] for k in order] for name, values in found.items()}
+
+
+def over_time(dump):
+    """[(time, profile)] of the snapshots of a run; the first shows the lattice."""
+    shots = snapshots(dump)
+    return [(t, profile(shots[0][1], shot)) for t, shot in shots]
 
 
 def scatter(first, shot, name):

@@ -8,6 +8,7 @@ import unittest
 sys.dont_write_bytecode = True
 
 import catalogue
+import histories
 import lattice
 import methods
 import profiles
@@ -109,6 +110,19 @@ class Profiles(unittest.TestCase):
         self.assertAlmostEqual(profiles.l1(xs, ys, lambda x: 1.0, 0.0, 2.0), 0.25, 6)
         self.assertAlmostEqual(profiles.front(xs, ys, 0.25), 1.75, 12)
         self.assertAlmostEqual(profiles.mean(xs, ys, 1.0, 2.0), 0.5, 6)
+
+
+class Histories(unittest.TestCase):
+    def test_drift(self):
+        self.assertAlmostEqual(histories.drift([2.0, 2.1, 1.8]), 0.1, 12)
+        self.assertTrue(math.isnan(histories.drift([2.0, math.nan, 1.8])))
+
+    def test_crossings(self):
+        self.assertEqual(histories.crossings([0.0, 1.0, 2.0], [1.0, -1.0, 3.0]), [0.5, 1.25])
+        self.assertEqual(histories.crossings([0.0, 1.0, 2.0], [1.0, -1.0, 3.0], 2), [1.25])
+
+    def test_slope(self):
+        self.assertAlmostEqual(histories.slope([1.0, 3.5, 4.0, 7.0]), 1.85, 12)
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@
    once, all equal).
 ------------------------------------------------------------------------- */
 
-#include "session.h"
+#include "ranks.h"
 
 #include <thread>
 
@@ -67,20 +67,13 @@ constexpr int SHOTS = 5;
 
 std::vector<Shot> rod(MPI_Comm comm, const std::string &newton, int nshots = SHOTS)
 {
-  int me;
-  MPI_Comm_rank(comm, &me);
-  char name[512] = "";
-  snprintf(name, sizeof(name), "%s", file("in.taylor").c_str());
-  MPI_Bcast(name, sizeof(name), MPI_CHAR, 0, comm);
-  if (me == 0) write_file("in.taylor", taylor(newton));
-  char output[512] = "";
-  snprintf(output, sizeof(output), "%s", file("output").c_str());
-  MPI_Bcast(output, sizeof(output), MPI_CHAR, 0, comm);
+  const std::string input = shared_file("in.taylor", comm), output = shared_file("output", comm);
+  if (first_rank(comm)) write_file("in.taylor", taylor(newton));
   MPI_Barrier(comm);
 
   Session s(comm);
   s("variable frame index " + frame_under_test() + "\nvariable h index 1.5\nvariable out index " +
-    std::string(output) + "\ninclude " + name + "\n");
+    output + "\ninclude " + input + "\n");
   std::vector<Shot> shots;
   for (int k = 1; k <= nshots; k++) {
     s("unfix stop\nfix stop all halt 1 v_time >= " + num(k * 1.0e-5) +
@@ -96,34 +89,18 @@ std::vector<Shot> rod(MPI_Comm comm, const std::string &newton, int nshots = SHO
   return shots;
 }
 
-// the rod of the first rank alone.  Who waits sleeps, since tests may run on
-// fewer cores than ranks
-
-void share(void *data, int bytes)
-{
-  MPI_Request request;
-  MPI_Ibcast(data, bytes, MPI_BYTE, 0, MPI_COMM_WORLD, &request);
-  for (int done = 0; !done;) {
-    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-    if (!done) usleep(1000);
-  }
-}
+// the rod of the first rank alone
 
 const std::vector<Shot> &alone()
 {
   static std::vector<Shot> shots;
   if (!shots.empty()) return shots;
-  int me;
-  MPI_Comm_rank(MPI_COMM_WORLD, &me);
-  if (me == 0)
+  if (first_rank())
     shots = rod(MPI_COMM_SELF, "off");
   else
     shots.resize(SHOTS);
   for (Shot &shot : shots) {
-    int n = static_cast<int>(shot.state.size());
-    share(&n, sizeof(n));
-    shot.state.resize(n);
-    share(shot.state.data(), n * sizeof(Particle));
+    share(shot.state);
     share(&shot.length, sizeof(double));
     share(&shot.foot, sizeof(double));
     share(shot.energy, sizeof(shot.energy));
@@ -135,9 +112,7 @@ class Rod : public testing::TestWithParam<std::string> {};
 
 TEST_P(Rod, IsTheSameOnAllRanks)
 {
-  int nprocs;
-  MPI_Comm_size(MPI_COMM_WORLD, &nprocs);
-  const bool crowded = nprocs > static_cast<int>(std::thread::hardware_concurrency());
+  const bool crowded = ranks() > static_cast<int>(std::thread::hardware_concurrency());
   const int nshots = !crowded ? SHOTS : GetParam() == "on" ? 2 : 1;
   const std::vector<Shot> &one = alone(), all = rod(MPI_COMM_WORLD, GetParam(), nshots);
   ASSERT_EQ(all.size(), static_cast<std::size_t>(nshots));

@@ -2,13 +2,13 @@
 
 The body moves with -u against the plane x = 0, so that everything is seen from the wall."""
 
-import math
-
 import methods
+import plane_shock
 import profiles
 import shock
-from catalogue import Figure, finest, order, series
-from running import columns, snapshots
+from catalogue import Figure, overview
+from histories import drift
+from running import columns
 
 FIGURES = [
     Figure("hel", "Hugoniot elastic limit", "{:+.2%}"),
@@ -46,10 +46,7 @@ class Problem:
 
     def seen(self, case):
         """(time, x, stress, profile) of the snapshots after the first."""
-        shots = snapshots(case.dump)
-        first = shots[0][1]
-        for t, shot in shots[1:]:
-            found = profiles.profile(first, shot)
+        for t, found in profiles.over_time(case.dump)[1:]:
             yield t, found["x"], [-s for s in found["sxx"]], found
 
     def measure(self, case):
@@ -75,7 +72,7 @@ class Problem:
             "face": s2[0] / self.second.stress - 1,
             "l1_shock": profiles.l1(x2, s2, self.stress(t2), 0.5 * a, 0.5 * (a + b)),
             "l1": profiles.l1(x2, s2, self.stress(t2), 0.0, 1.1 * b),
-            "energy": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"]),
+            "energy": drift(data["total_J"]),
         }
 
     # ---- the page -------------------------------------------------------------------------------------------
@@ -84,16 +81,12 @@ class Problem:
         """Profiles of the viscosities in the default frame at the finest resolution, and the L1 error of all."""
         import pictures
         figure, (whole, near, errors) = pictures.axes(3, width=3.7)
-        size = max(r.case.n for r in results)
         top = self.second.stress / 1e9
-        for r in results:
-            if r.failed or r.case.n != size or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
-                continue
+        for r, colour in pictures.finest_lagrangian(results):
             t, x, stress, _ = list(self.seen(r.case))[-1]
             top = max(top, (1 + r.figures["overshoot"]) * self.second.stress / 1e9)
             for axes in (whole, near):
-                axes.plot([v / unit_x for v in x], [s / 1e9 for s in stress], lw=1,
-                          color=pictures.look(r.case.method)["color"])
+                axes.plot([v / unit_x for v in x], [s / 1e9 for s in stress], lw=1, color=colour)
         a, b = self.fronts(t)
         steps = [0, a, a, b, b, 1.15 * b]
         levels = [self.second.stress] * 2 + [self.first.stress] * 2 + [0, 0]
@@ -101,10 +94,8 @@ class Problem:
             axes.plot([s / unit_x for s in steps], [v / 1e9 for v in levels], "k", lw=0.8, zorder=0)
             axes.set(xlabel=f"distance from the wall ({name_x})", ylabel="stress (GPa)")
         near.set(xlim=(0.9 * a / unit_x, 1.06 * a / unit_x), ylim=(0.8 * self.second.stress / 1e9, 1.02 * top), title="the shock")
-        whole.set(title=f"Lagrangian frame, n = {size}; black: exact")
-        pictures.convergence(errors, results, "l1")
-        errors.set(xlabel="n", ylabel="L1 error of the stress")
-        pictures.legend(figure, errors)
+        whole.set(title=pictures.title(results) + "; black: exact")
+        pictures.error_axes(figure, errors, results, "l1", "L1 error of the stress")
         pictures.save(figure, file.parent, file.stem)
 
 
@@ -121,11 +112,6 @@ UNLOADED = ("what overshoots unloads again, elastically, and takes its share of 
             "speed stay short of the exact ones at any resolution")
 
 
-def calm(method):
-    """So viscous that no shock overshoots."""
-    return method.key[2:] in ("monaghan1", "balsara1")
-
-
 def gates(case, problem, interval):
     """At the finest resolution the targets. On coarser lattices, and with stiffness right: each front within one spacing
     after the interval of time, and where nothing overshoots the plateau as it has to be."""
@@ -136,29 +122,25 @@ def gates(case, problem, interval):
         spacing = problem.length / case.n
         found["elastic"] = spacing / (problem.first.speed * interval)
         found["plastic"] = spacing / (problem.second.speed * interval)
-        if calm(case.method):
+        if plane_shock.calm(case.method):
             found["plateau"] = TARGETS["plateau"]
     return found
 
 
 def order_gates(cases):
     """A linear front that a method of order p spreads converges with p/(p + 1) in L1: 1/2 with a viscosity."""
-    method = cases[0].method
-    return {"l1": 0.45} if method.key[2:].startswith(methods.WHOLE) and method.gradient == "corrected" else {}
+    return plane_shock.order_gates(cases, 0.45)
 
 
 def judge(results):
-    last = finest(results)
-    got = {r.case.method.key: r.figures for r in last}
-    orders = {key: order(group, "l1") for key, group in series(results).items()}
-    default = got[methods.DEFAULT]
+    found = overview(results, "l1")
+    last, default = found.last, found.default
     missed = [f.text for f in FIGURES if f.name in TARGETS and not abs(default[f.name]) <= TARGETS[f.name]]
     least = min(last, key=lambda r: r.figures["l1"])
     calm = min(last, key=lambda r: r.figures["overshoot"])
-    full = sum(order_of >= ORDERS["l1"] for order_of in orders.values())
     return (f"*correct* in the Lagrangian frame {'misses: ' + ', '.join(missed) if missed else 'meets all targets'}; its "
             f"stress overshoots by {default['overshoot']:.1%}, its L1 error of {default['l1']:.2%} at n = "
-            f"{max(r.case.n for r in last)} falls with order {orders[methods.DEFAULT]:.2f}. The smallest L1 error has "
+            f"{max(r.case.n for r in last)} falls with order {found.orders[methods.DEFAULT]:.2f}. The smallest L1 error has "
             f"*{least.case.method.title}* ({least.case.method.group}) with {least.figures['l1']:.2%}, the least overshoot "
-            f"*{calm.case.method.title}* ({calm.case.method.group}) with {calm.figures['overshoot']:.1%}; {full} of "
-            f"{len(orders)} methods reach order {ORDERS['l1']:g}.")
+            f"*{calm.case.method.title}* ({calm.case.method.group}) with {calm.figures['overshoot']:.1%}; "
+            f"{found.reach(ORDERS['l1'])} order {ORDERS['l1']:g}.")

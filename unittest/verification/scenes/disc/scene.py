@@ -4,7 +4,9 @@ import math
 
 import bodies
 import methods
+import stock
 from catalogue import Figure, case, order, series
+from histories import drift
 from running import columns, snapshots
 
 TITLE = "Rotating disc"
@@ -72,7 +74,7 @@ def cost(method):
 
 
 def cannot(method):
-    return "its pair styles are for fluids: no shear stress" if method.stock == "sph" else ""
+    return stock.solid_body(method)
 
 
 # ---- figures ------------------------------------------------------------------------------------------------
@@ -119,10 +121,6 @@ def measure(case):
     if "total_J" in data:
         got["total"] = drift([data["total_J"][k] for k in free])
     return got
-
-
-def drift(values):
-    return max(abs(v / values[0] - 1) for v in values)
 
 
 # ---- judging ------------------------------------------------------------------------------------------------

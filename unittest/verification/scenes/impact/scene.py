@@ -1,6 +1,5 @@
 """Two equal aluminium plates meet: a strong shock behind an elastic precursor."""
 
-import methods
 import shock
 import stock
 import two_waves
@@ -39,7 +38,7 @@ def measure(case):
 
 def gates(case):
     found = two_waves.gates(case, PROBLEM, 2.5e-6)
-    if "plateau" in found or (case.method.key[2:] == "front" and case.n >= 200):
+    if "plateau" in found or (case.method.kind == "front" and case.n >= 200):
         found["overshoot"] = TARGETS["overshoot"]
     return found
 
@@ -48,7 +47,7 @@ RINGING = ("correct", "safe", "none", "limited05", "limited2", "limited3")    # 
 
 
 def misses(case):
-    kind, found = case.method.key[2:], {}
+    kind, found = case.method.kind, {}
     if case.method.gradient == "plain" or case.n < 400:
         return found
     if kind in RINGING and not (kind == "limited3" and case.n < two_waves.FINEST):

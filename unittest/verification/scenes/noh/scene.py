@@ -1,12 +1,14 @@
 """Planar Noh problem for a Mie-Grueneisen fluid."""
 
 import methods
+import plane_shock
 import profiles
 import shock
 import stock
-import two_waves
-from catalogue import Figure, finest, order, series, usual_cases
-from running import columns, snapshots
+from catalogue import Figure, overview, usual_cases
+from histories import drift
+from plane_shock import RUNS_AHEAD
+from running import columns
 
 TITLE = "Planar Noh problem, Mie-Gruneisen"
 SOLID, U = shock.IRON_FLUID, 200.0
@@ -54,14 +56,8 @@ def cannot(method):
     return stock.plane_shock(method, fluid=True)
 
 
-def seen(case):
-    """(time, profile) of the snapshots after the first."""
-    shots = snapshots(case.dump)
-    return [(t, profiles.profile(shots[0][1], shot)) for t, shot in shots[1:]]
-
-
 def measure(case):
-    (t1, p1), (t2, p2) = seen(case)[:2]
+    (t1, p1), (t2, p2) = profiles.over_time(case.dump)[1:3]
     x, pressure = p2["x"], p2["p"]
     place = (BEHIND.speed - U) * t2
     run = profiles.front(x, pressure, 0.5 * BEHIND.stress) - profiles.front(p1["x"], p1["p"], 0.5 * BEHIND.stress)
@@ -76,7 +72,7 @@ def measure(case):
         "heating": p2["e"][0] / BEHIND.e - 1,
         "l1": profiles.l1(x, pressure, lambda at: BEHIND.stress if at < place else 0.0, 0.0, 1.1 * place),
         "l1_rho": profiles.l1(x, rise, lambda at: BEHIND.rho - SOLID.rho0 if at < place else 0.0, 0.0, 1.1 * place),
-        "energy": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"]),
+        "energy": drift(data["total_J"]),
     }
 
 
@@ -87,58 +83,45 @@ def gates(case):
     """Ringing leaves the mean density alone, as long as there is any viscosity. The rest on coarse lattices only where
     nothing rings."""
     found = {"energy": 1e-12}
-    if case.method.key[2:] != "none":
+    if case.method.kind != "none":
         found["rho"] = 0.003
-    if case.n >= FINEST or (case.method.gradient == "corrected" and two_waves.calm(case.method)):
+    if case.n >= FINEST or (case.method.gradient == "corrected" and plane_shock.calm(case.method)):
         found.update(speed=TARGETS["speed"], plateau=TARGETS["plateau"])
     return found
 
 
 def misses(case):
-    if case.n < FINEST or case.method.key[2:] not in ("correct", "safe", "none", "limited05"):
+    if case.n < FINEST or not case.method.little:
         return {}
-    return {"speed": RUNS_AHEAD, "plateau": RUNS_AHEAD} if case.method.key[2:] == "none" else {"speed": RUNS_AHEAD}
-
-
-RUNS_AHEAD = "with too little viscosity the shock becomes a train of solitary waves that grow; the first runs ahead"
+    return {"speed": RUNS_AHEAD, "plateau": RUNS_AHEAD} if case.method.kind == "none" else {"speed": RUNS_AHEAD}
 
 
 def order_gates(cases):
-    method = cases[0].method
-    return {"l1": 0.75} if method.key[2:].startswith(methods.WHOLE) and method.gradient == "corrected" else {}
+    return plane_shock.order_gates(cases, 0.75)
 
 
 def draw(results, file):
     import pictures
     figure, (pressure, heat, errors) = pictures.axes(3, width=3.7)
-    size = max(r.case.n for r in results)
-    for r in results:
-        if r.failed or r.case.n != size or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
-            continue
-        t, last = seen(r.case)[-1]
-        colour = pictures.look(r.case.method)["color"]
+    for r, colour in pictures.finest_lagrangian(results):
+        t, last = profiles.over_time(r.case.dump)[-1]
         pressure.plot([1e3 * x for x in last["x"]], [p / 1e9 for p in last["p"]], lw=1, color=colour)
         near = [(1e3 * x, e / BEHIND.e) for x, e in zip(last["x"], last["e"]) if x < 2e-3]
         heat.plot(*zip(*near), lw=1, marker=".", ms=3, color=colour)
     place = 1e3 * (BEHIND.speed - U) * t
     pressure.plot([0, place, place, 1.2 * place], [BEHIND.stress / 1e9] * 2 + [0, 0], "k", lw=0.8, zorder=0)
     pressure.set(xlabel="distance from the plane (mm)", ylabel="pressure (GPa)", xlim=(0.9 * place, 1.04 * place),
-                 title=f"Lagrangian frame, n = {size}; black: exact")
+                 title=pictures.title(results) + "; black: exact")
     heat.set(xlabel="distance from the plane (mm)", ylabel="energy / exact", title="wall heating")
-    pictures.convergence(errors, results, "l1")
-    errors.set(xlabel="n", ylabel="L1 error of the pressure")
-    pictures.legend(figure, errors)
+    pictures.error_axes(figure, errors, results, "l1", "L1 error of the pressure")
     pictures.save(figure, file.parent, file.stem)
 
 
 def judge(results):
-    last = finest(results)
-    got = {r.case.method.key: r.figures for r in last}
-    orders = {name: order(group, "l1") for name, group in series(results).items()}
-    default = got[methods.DEFAULT]
+    found = overview(results, "l1")
+    last, orders = found.last, found.orders
     calm = [r for r in last if r.figures["overshoot"] < 0.04]
-    full = sum(value >= ORDERS["l1"] for value in orders.values())
     return (f"The mean density behind the shock is right within {max(abs(r.figures['rho']) for r in last):.2%} for "
-            f"all methods; *correct* overshoots by {default['overshoot']:.0%}, {len(calm)} of {len(last)} methods by "
+            f"all methods; *correct* overshoots by {found.default['overshoot']:.0%}, {len(calm)} of {len(last)} methods by "
             f"less than 4 %. The L1 error falls with order {orders[methods.DEFAULT]:.2f} for *correct* and "
-            f"{orders['L-monaghan1']:.2f} for *monaghan 1 1*; {full} of {len(orders)} methods reach {ORDERS['l1']:g}.")
+            f"{orders['L-monaghan1']:.2f} for *monaghan 1 1*; {found.reach(ORDERS['l1'])} {ORDERS['l1']:g}.")

@@ -1,6 +1,5 @@
 """A copper bar runs against a rigid wall: elastic precursor and plastic shock."""
 
-import methods
 import shock
 import stock
 import two_waves
@@ -50,7 +49,7 @@ def gates(case):
 def misses(case):
     if case.n < two_waves.FINEST or case.method.key in ("L-monaghan05", "L-balsara1"):
         return {}
-    return {"hel": two_waves.FOOT if case.method.key[2:].startswith(methods.WHOLE) else two_waves.EXCESS}
+    return {"hel": two_waves.FOOT if case.method.whole else two_waves.EXCESS}
 
 
 def draw(results, file):

@@ -2,7 +2,9 @@
 
 import bodies
 import methods
+import stock
 from catalogue import Figure, case, order, series
+from histories import crossings, drift
 from running import columns
 
 TITLE = "Oscillating plate"
@@ -59,17 +61,17 @@ def cost(method):
 
 
 def cannot(method):
-    return "its pair styles are for fluids: no shear stress" if method.stock == "sph" else ""
+    return stock.solid_body(method)
 
 
 # ---- figures ------------------------------------------------------------------------------------------------
 
 def measure(case):
     data = columns(case.csv)
-    exact, total = PERIOD[case.variables.get("clamp", "fixed")], data["total_J"]
+    exact = PERIOD[case.variables.get("clamp", "fixed")]
     y = [tip - data["tip_mm"][0] for tip in data["tip_mm"]]
-    times = bodies.crossings(data["t_s"], y)
-    found = {"tip": max(map(abs, y)), "total": max(abs(e / total[0] - 1) for e in total)}
+    times = crossings(data["t_s"], y, 2)    # the first line is the start
+    found = {"tip": max(map(abs, y)), "total": drift(data["total_J"])}
     found["period"] = times[1] / exact - 1 if len(times) > 1 else NONE
     if "elastic_J" in data:
         left = (data["kinetic_J"][-1] + data["elastic_J"][-1]) / data["kinetic_J"][0]

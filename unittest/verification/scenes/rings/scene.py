@@ -4,7 +4,9 @@ import math
 
 import bodies
 import methods
+import stock
 from catalogue import Figure, case, series
+from histories import drift
 from running import columns, snapshots
 
 TITLE = "Colliding rubber rings"
@@ -80,7 +82,7 @@ def cost(method, n):
 def cannot(method):
     if method.frame == "lagrangian":
         return "in the Lagrangian frame bodies do not feel each other"
-    return "its pair styles are for fluids: no shear stress" if method.stock == "sph" else ""
+    return stock.solid_body(method)
 
 
 # ---- figures ------------------------------------------------------------------------------------------------
@@ -93,7 +95,7 @@ def measure(case):
              for part in (slice(0, half), slice(half, None))]
     found = {"broken": 1 - min(whole), "nearest": min(data["apart_mm"]), "rebound": data["rate"][-1] / -data["rate"][0],
              "joined": sum((i < half) != (j < half) for i, j, _ in bodies.close_pairs(last["x"], last["y"], 1.6 * spacing)),
-             "pair": bodies.closest(last, spacing), "total": max(abs(e / total[0] - 1) for e in total),
+             "pair": bodies.closest(last, spacing), "total": drift(total),
              "momentum": max(map(math.hypot, data["px"], data["py"])) / (total[0] / SPEED)}
     if "viscous_J" in data:
         found["heat"] = data["viscous_J"][-1] / total[0]

@@ -3,11 +3,14 @@
 import functools
 
 import methods
+import plane_shock
 import profiles
 import shock
 import stock
-from catalogue import Figure, finest, order, series, usual_cases
-from running import columns, snapshots
+from catalogue import Figure, overview, usual_cases
+from histories import drift
+from plane_shock import RUNS_AHEAD
+from running import columns
 
 TITLE = "Shock tube, Mie-Gruneisen"
 SOLID, E_LEFT = shock.IRON_FLUID, 707714.084
@@ -58,8 +61,7 @@ def cannot(method):
 
 def seen(case):
     """(time, profile with the interface at x = 0) of the snapshots after the first."""
-    shots = snapshots(case.dump)
-    found = [(t, profiles.profile(shots[0][1], shot)) for t, shot in shots[1:]]
+    found = profiles.over_time(case.dump)[1:]
     for _, each in found:
         each["x"] = [x - HALF / case.n for x in each["x"]]    # in.shocktube: half a cell to the right
     return found
@@ -93,7 +95,7 @@ def measure(case):
         "overshoot": max(p for at, p in zip(x, pressure) if at > 0.5 * front) / star.stress - 1,
         "blip": max(abs(p / star.stress - 1) for p in near),
         "l1": l1, "l1_u": l1_u, "l1_rho": l1_rho,
-        "energy": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"]),
+        "energy": drift(data["total_J"]),
     }
 
 
@@ -108,60 +110,46 @@ def gates(case):
         found.update(speed=TARGETS["speed"], star=TARGETS["star"])
     elif case.method.gradient == "corrected":
         found["speed"] = 2 * HALF / case.n / (tube().star_right.speed * 50e-6)
-        if case.method.key[2:].startswith(methods.WHOLE) and case.n >= 200:
+        if case.method.whole and case.n >= 200:
             found["star"] = 2 * TARGETS["star"]
     return found
 
 
 def misses(case):
-    kind = case.method.key[2:]
-    if case.method.gradient == "corrected" and case.n >= FINEST and kind in ("correct", "safe", "none", "limited05"):
+    if case.method.gradient == "corrected" and case.n >= FINEST and case.method.little:
         return {"speed": RUNS_AHEAD}
     return {"speed": RUNS_AHEAD} if case.name == "L-none-400" else {}
 
 
-RUNS_AHEAD = "with too little viscosity the shock becomes a train of solitary waves that grow; the first runs ahead"
-
-
 def order_gates(cases):
     """The rarefaction and the contact keep the order of a smeared front below that of a shock."""
-    method = cases[0].method
-    return {"l1": 0.6} if method.key[2:].startswith(methods.WHOLE) and method.gradient == "corrected" else {}
+    return plane_shock.order_gates(cases, 0.6)
 
 
 def draw(results, file):
     import pictures
     figure, (pressure, density, errors) = pictures.axes(3, width=3.7)
-    size, exact = max(r.case.n for r in results), tube()
-    for r in results:
-        if r.failed or r.case.n != size or r.case.method.frame != "lagrangian" or not r.case.dump.exists():
-            continue
+    for r, colour in pictures.finest_lagrangian(results):
         t, last = seen(r.case)[-1]
-        colour = pictures.look(r.case.method)["color"]
         pressure.plot(last["x"], [p / 1e9 for p in last["p"]], lw=1, color=colour)
         density.plot(last["x"], last["rho"], lw=1, color=colour)
     places = [-0.5 + k / 4000 for k in range(4001)]
-    states = [shock.tube_at(exact, x / t) for x in places]
+    states = [shock.tube_at(tube(), x / t) for x in places]
     pressure.plot(places, [s.stress / 1e9 for s in states], "k", lw=0.8, zorder=0)
     density.plot(places, [s.rho for s in states], "k", lw=0.8, zorder=0)
-    pressure.set(xlabel="x (m)", ylabel="pressure (GPa)", title=f"Lagrangian frame, n = {size}; black: exact")
+    pressure.set(xlabel="x (m)", ylabel="pressure (GPa)", title=pictures.title(results) + "; black: exact")
     density.set(xlabel="x (m)", ylabel="density (kg/m$^3$)")
-    pictures.convergence(errors, results, "l1")
-    errors.set(xlabel="n", ylabel="L1 error of the pressure")
-    pictures.legend(figure, errors)
+    pictures.error_axes(figure, errors, results, "l1", "L1 error of the pressure")
     pictures.save(figure, file.parent, file.stem)
 
 
 def judge(results):
-    last = finest(results)
-    got = {r.case.method.key: r.figures for r in last}
-    orders = {name: order(group, "l1") for name, group in series(results).items()}
-    default = got[methods.DEFAULT]
-    least = min(last, key=lambda r: r.figures["l1"])
-    full = sum(value >= ORDERS["l1"] for value in orders.values())
+    found = overview(results, "l1")
+    default = found.default
+    least = min(found.last, key=lambda r: r.figures["l1"])
     return (f"*correct* has the pressure between the waves within {abs(default['star']):.2%}, overshoots behind the shock by "
             f"{default['overshoot']:.0%}, and its L1 error of {default['l1']:.2%} falls with order "
-            f"{orders[methods.DEFAULT]:.2f}; the smallest has *{least.case.method.title}* ({least.case.method.group}) "
-            f"with {least.figures['l1']:.2%}. {full} of {len(orders)} methods reach order {ORDERS['l1']:g}. The largest "
+            f"{found.orders[methods.DEFAULT]:.2f}; the smallest has *{least.case.method.title}* ({least.case.method.group}) "
+            f"with {least.figures['l1']:.2%}. {found.reach(ORDERS['l1'])} order {ORDERS['l1']:g}. The largest "
             f"error of the pressure at the contact is {default['blip']:.1%} with *correct*, "
-            f"{got['L-monaghan1']['blip']:.1%} with *monaghan 1 1*.")
+            f"{found.figures['L-monaghan1']['blip']:.1%} with *monaghan 1 1*.")

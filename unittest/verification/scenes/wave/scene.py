@@ -6,7 +6,8 @@ import bodies
 import lattice
 import methods
 import stock
-from catalogue import Figure, case, finest, usual_cases
+from catalogue import Figure, case, finest, overview, usual_cases
+from histories import crossings, drift, slope
 from running import columns, snapshots
 
 TITLE = "Standing elastic wave"
@@ -76,17 +77,6 @@ def cannot(method):
 
 # ---- figures ------------------------------------------------------------------------------------------------
 
-def crossings(t, y):
-    return [t[k - 1] + (t[k] - t[k - 1]) * y[k - 1] / (y[k - 1] - y[k]) for k in range(1, len(t)) if y[k - 1] * y[k] < 0]
-
-
-def slope(values):
-    """Of a straight line through values at 0, 1, 2, ..."""
-    n = len(values)
-    mean, middle = sum(values) / n, (n - 1) / 2
-    return sum((k - middle) * (v - mean) for k, v in enumerate(values)) / sum((k - middle) ** 2 for k in range(n))
-
-
 def last_peak(t, y):
     """Height of the maximum around PASSAGES half periods, by a parabola through the three highest lines."""
     inside = [k for k in range(len(t) - 1) if t[k] > PASSAGES / 2 - 0.25]
@@ -118,7 +108,7 @@ def measure(case):
     lattice_known = not case.method.stock    # the kernels of the others are not in lattice.py
     return {"lattice": omega / expected(case, t[2] - t[1]) - 1 if lattice_known else math.nan, "frequency": omega - 1,
             "lost": 1 - last_peak(t, kinetic) / kinetic[0], "profile": profile_error(case),
-            "energy": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"])}
+            "energy": drift(data["total_J"])}
 
 
 # ---- judging ------------------------------------------------------------------------------------------------
@@ -127,7 +117,7 @@ FAITHFUL = ("none", "correct", "safe", "limited05", "limited2", "limited3")    #
 
 
 def faithful(method):
-    return method.key[2:] in FAITHFUL and not method.stock
+    return method.kind in FAITHFUL and not method.stock
 
 
 def gates(case):
@@ -146,7 +136,7 @@ def order_gates(cases):
         return gates
     if faithful(method):
         gates["profile"] = 1.5
-    if method.key[2:] in ("correct", "safe"):
+    if method.kind in ("correct", "safe"):
         gates["lost"] = 2.7
     return gates
 
@@ -177,11 +167,11 @@ def draw(results, file):
 
 def judge(results):
     large = {r.case.method.key: r.figures["lost"] for r in finest(results) if "strain" in r.case.variables}
-    last = finest(bodies.main_series(results))
-    by_key = {r.case.method.key: r.figures for r in last}
+    found = overview(bodies.main_series(results))
+    last, by_key = found.last, found.figures
     off = max(abs(r.figures["lattice"]) for r in last if not r.case.method.stock)
     kept = [key for key, got in by_key.items() if max(got["lost"], large.get(key, 0.0)) <= TARGETS["lost"]]
-    first, standard = by_key[methods.DEFAULT], by_key["L-monaghan1"]
+    first, standard = found.default, by_key["L-monaghan1"]
     plain = max(abs(r.figures["frequency"]) for r in last if r.case.method.gradient == "plain")
     return (f"At the finest resolution in every method of this package waves travel at the speed of their lattice, within {off:.0e}; plain "
             f"gradients leave {100 * plain:.1f} % against the continuum at any n. In 20 half periods *correct* loses "

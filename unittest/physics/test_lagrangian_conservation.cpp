@@ -1,0 +1,195 @@
+/* ----------------------------------------------------------------------
+   Conservation laws of the Lagrangian frame, for every viscosity, with and without
+   hourglass damping; and that nothing depends on how a body is turned, cut into a
+   periodic piece or shared out among threads.
+------------------------------------------------------------------------- */
+
+#include "lagrangian_body.h"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+using namespace SPHSolid;
+
+namespace {
+
+using Choice = std::tuple<int, Viscosity, bool>;
+
+class Lagrangian : public testing::TestWithParam<Choice> {
+ protected:
+  Cloud cloud(int seed) const
+  {
+    auto [dim, viscosity, hourglass] = GetParam();
+    Cloud c = shaken(dim, seed);
+    c.opt.viscosity = viscosity;
+    c.opt.hourglass = hourglass ? 0.1 : 0.0;
+    return c;
+  }
+};
+
+std::string name(const testing::TestParamInfo<Choice> &info)
+{
+  auto [dim, viscosity, hourglass] = info.param;
+  std::string s = dim == 2 ? "Flat" : "Full";
+  s += name_of(viscosity);
+  s += hourglass ? "Hourglass" : "";
+  return s;
+}
+
+class LagrangianCentral : public Lagrangian {};
+
+}    // namespace
+
+TEST_P(Lagrangian, LinearMomentum)
+{
+  Cloud c = cloud(1);
+  c.evaluate();
+  EXPECT_LT(net_force(c), 1e-13);
+}
+
+TEST_P(Lagrangian, LinearMomentumAfterStep)
+{
+  Cloud c = cloud(2);
+  c.material.strength = Strength::PERFECT;
+  c.material.Y = 0.02;
+  c.evaluate(0.1);
+  EXPECT_LT(net_force(c), 1e-13);
+}
+
+// the correction is not central; all the rest is
+
+TEST_P(LagrangianCentral, AngularMomentum)
+{
+  Cloud c = cloud(3);
+  c.evaluate();
+  EXPECT_LT(net_torque(c), 1e-13);
+}
+
+TEST_P(LagrangianCentral, AngularMomentumAfterStep)
+{
+  Cloud c = cloud(4);
+  c.evaluate(0.1);
+  EXPECT_LT(net_torque(c), 1e-13);
+}
+
+// what any displacement takes from the forces is heat
+
+TEST_P(Lagrangian, HeatOfAnyDisplacement)
+{
+  for (double dt : {0.0, 0.1}) {
+    Cloud c = cloud(5);
+    c.evaluate(dt);
+    EXPECT_LT(energy_error(c, random_displacement(c, 6)), 1e-13);
+  }
+}
+
+TEST_P(Lagrangian, HeatIsGalileanInvariant)
+{
+  Cloud c = cloud(7);
+  c.evaluate();
+  EXPECT_LT(galilean_error(c), 1e-12);
+}
+
+TEST_P(Lagrangian, Virial)
+{
+  Cloud c = cloud(8);
+  c.evaluate();
+  EXPECT_LT(virial_error(c), 1e-13);
+}
+
+// a body that somebody has turned: the same forces, turned; the same density
+
+TEST_P(Lagrangian, TurnedBody)
+{
+  for (double dt : {0.0, 0.1}) {
+    Cloud a = cloud(9);
+    const Eigen::AngleAxisd turn(2.0,
+                                 a.dim == 2 ? Vector3d(0, 0, 1) : Vector3d(1, 2, -1).normalized());
+    const Matrix3d Q = turn.toRotationMatrix();
+    Cloud b = cloud(9);
+    for (int i = 0; i < b.size(); i++) {
+      b.x[i] = Q * a.x[i] + Vector3d(3, 4, a.dim == 3 ? 5 : 0);
+      b.v[i] = Q * a.v[i];
+      b.S[i] = components(Q * symmetric(a.S[i].data()) * Q.transpose());
+    }
+    a.evaluate(dt);
+    b.evaluate(dt);
+    std::vector<Vector3d> expected;
+    for (const Vector3d &f : forces(a)) expected.push_back(Q * f);
+    EXPECT_LT(largest_difference(forces(b), expected), 1e-12 * largest(expected));
+    for (int i = 0; i < a.size(); i++) EXPECT_NEAR(b.rho[i], a.rho[i], 1e-13);
+  }
+}
+
+TEST_P(Lagrangian, ThreadsChangeNothing)
+{
+  Cloud a = cloud(10), b = cloud(10);
+  b.nthreads = 3;
+  a.evaluate(0.1);
+  b.evaluate(0.1);
+  const std::vector<double> heat_a = a.heat(a.v), heat_b = b.heat(b.v);
+  for (int i = 0; i < a.size(); i++) {
+    for (int k = 0; k < 3; k++) EXPECT_EQ(a.f(i)[k], b.f(i)[k]);
+    EXPECT_EQ(a.rho[i], b.rho[i]);
+    EXPECT_EQ(a.S[i], b.S[i]);
+    EXPECT_EQ(heat_a[i], heat_b[i]);
+  }
+}
+
+// a body that is periodic along x is the middle one of three, as far as the
+// ends of the three are too far away to matter
+
+TEST_P(Lagrangian, PeriodicBody)
+{
+  auto [dim, viscosity, hourglass] = GetParam();
+  Cloud one(dim);
+  one.opt.frame = Frame::LAGRANGIAN;
+  one.opt.viscosity = viscosity;
+  one.opt.hourglass = hourglass ? 0.1 : 0.0;
+  one.opt.h = 1.2;
+  one.period = 8.0;
+  one.add_lattice(8, 4, 3);
+  Noise noise(11);
+  for (Vector3d &x : one.x) x += 0.2 * noise.vector(dim);
+  one.refer();
+  one.stir(noise, 0.1);
+
+  Cloud three(dim);
+  three.opt = one.opt;
+  for (int copy : {0, 1, 2})
+    for (int i = 0; i < one.size(); i++) {
+      const Vector3d shift((copy - 1) * one.period, 0, 0);
+      three.add(one.x[i] + shift, one.v[i]);
+      three.rho.back() = one.rho[i];
+      three.e.back() = one.e[i];
+      three.S.back() = one.S[i];
+      three.xref.push_back(one.xref[i] + shift);
+      three.vref.push_back(one.vref[i]);
+    }
+  one.evaluate(0.1);
+  three.evaluate(0.1);
+  const std::vector<double> heat_one = one.heat(one.v), heat_three = three.heat(three.v);
+  double worst = 0.0;
+  const int n = one.size();
+  for (int i = 0; i < n; i++) {
+    EXPECT_EQ(one.sweeps->neighbor_count(i), three.sweeps->neighbor_count(n + i));
+    worst = std::max(worst, (one.f(i) - three.f(n + i)).norm());
+    EXPECT_NEAR(one.rho[i], three.rho[n + i], 1e-13);
+    EXPECT_NEAR(heat_one[i], heat_three[n + i], 1e-13);
+  }
+  EXPECT_LT(worst, 1e-13);    // forces are of order 0.1
+  EXPECT_LT(net_force(one), 1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(Options, Lagrangian,
+                         testing::Combine(testing::Values(2, 3), testing::ValuesIn(VISCOSITIES),
+                                          testing::Bool()),
+                         name);
+INSTANTIATE_TEST_SUITE_P(Options, LagrangianCentral,
+                         testing::Combine(testing::Values(2, 3),
+                                          testing::Values(Viscosity::NONE, Viscosity::MONAGHAN,
+                                                          Viscosity::LIMITED, Viscosity::BALSARA,
+                                                          Viscosity::FRONT),
+                                          testing::Bool()),
+                         name);

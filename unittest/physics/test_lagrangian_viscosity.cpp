@@ -1,0 +1,97 @@
+/* ----------------------------------------------------------------------
+   Viscosity in the Lagrangian frame: what the limited one leaves, what the
+   acceleration correction filters out, and where the ledger has the heat.
+------------------------------------------------------------------------- */
+
+#include "lagrangian_body.h"
+
+#include <gtest/gtest.h>
+
+using namespace SPHSolid;
+
+// every pair dissipates: so half of the heat of all its pairs is positive for
+// each particle, and no particle is cooled
+
+TEST(LimitedViscosity, HeatsEveryParticle)
+{
+  for (int dim : {2, 3}) {
+    Cloud c = shaken(dim, 1);
+    c.opt.viscosity = Viscosity::LIMITED;
+    const std::vector<double> limited = viscous_heat(c);
+    for (double one : limited) EXPECT_GE(one, -1e-16);
+    c.opt.viscosity = Viscosity::MONAGHAN;
+    EXPECT_GT(sum(limited), 0.0);
+    EXPECT_LT(sum(limited), sum(viscous_heat(c)));
+  }
+}
+
+// the filter of the acceleration correction: nothing is left of a constant
+
+TEST(LagrangianCorrection, VanishesForAConstant)
+{
+  for (int dim : {2, 3}) {
+    Cloud c = shaken(dim, 2);
+    c.opt.viscosity = Viscosity::CORRECT;
+    c.evaluate();
+    const std::vector<Vector3d> before = forces(c);
+    for (int i = 0; i < c.size(); i++)
+      for (int a = 0; a < dim; a++) c.sweeps->viscous_acceleration(i)[a] = 7.0 + a;
+    c.sweeps->correction(c.particles(), c.neighbors());
+    EXPECT_EQ(largest_difference(forces(c), before), 0.0);
+  }
+}
+
+// and of a chess board, on a lattice with hbar = 1.5: neighbors along the axes
+// have Wbar(4/3) ~ (2/3)^3 and differ, those on the diagonals Wbar(4 sqrt(2)/3) ~
+// (2 - 4 sqrt(2)/3)^3 and do not.  Positions do not count, those in the reference do
+
+TEST(LagrangianCorrection, LeavesAChessBoard)
+{
+  Cloud c = lattice(2, 9);
+  c.opt.frame = Frame::LAGRANGIAN;
+  c.opt.viscosity = Viscosity::CORRECT;
+  c.refer();
+  deform(c, large(2));
+  c.evaluate();
+  const std::vector<Vector3d> before = forces(c);
+  for (int i = 0; i < c.size(); i++) {
+    c.sweeps->viscous_acceleration(i)[0] = i % 2 ? -1.0 : 1.0;    // 9 to a row
+    c.sweeps->viscous_acceleration(i)[1] = 0.0;
+  }
+  c.sweeps->correction(c.particles(), c.neighbors());
+  const double axis = std::pow(2.0 / 3.0, 3),
+               diagonal = std::pow(2.0 - 4.0 / 3.0 * std::sqrt(2.0), 3);
+  EXPECT_NEAR(c.f(40)[0] - before[40][0], axis / (axis + diagonal), 1e-14);
+  EXPECT_NEAR(c.f(41)[0] - before[41][0], -axis / (axis + diagonal), 1e-14);
+}
+
+// the ledger: heat that is left and heat given back are the standard heating
+
+TEST(LagrangianLedger, AddsUp)
+{
+  for (int dim : {2, 3}) {
+    Cloud c = shaken(dim, 3);
+    c.opt.viscosity = Viscosity::MONAGHAN;
+    const double standard = sum(viscous_heat(c));
+    c.opt.viscosity = Viscosity::CORRECT;
+    const double left = sum(viscous_heat(c));
+    const Ledger ledger = booked_heat(c);
+    EXPECT_NEAR(ledger.viscous_heat / left, 1.0, 1e-11);
+    EXPECT_NEAR(ledger.returned / (standard - left), 1.0, 1e-11);
+    EXPECT_EQ(ledger.hourglass, 0.0);
+  }
+}
+
+TEST(LagrangianLedger, HoldsTheHourglassHeat)
+{
+  for (int dim : {2, 3}) {
+    Cloud c = shaken(dim, 4);
+    c.evaluate();
+    const double without = power(c);
+    c.opt.hourglass = 0.1;
+    const Ledger ledger = booked_heat(c);
+    EXPECT_GT(ledger.hourglass, 0.0);
+    EXPECT_NEAR(ledger.hourglass / (without - power(c)), 1.0, 1e-11);
+    EXPECT_EQ(ledger.viscous_heat, 0.0);
+  }
+}

@@ -1,0 +1,51 @@
+/* ----------------------------------------------------------------------
+   The time step: h/(c_L + 0.6 (a1 c + a2 |mu|)) after Monaghan (1992), with h
+   instead of 0.3 h for a Courant number of one.
+------------------------------------------------------------------------- */
+
+#include "lagrangian_body.h"
+
+#include <gtest/gtest.h>
+
+using namespace SPHSolid;
+
+namespace {
+
+const double C_L = std::sqrt(1.0 + 4.0 / 3.0 * 0.786);    // of test_iron()
+
+}    // namespace
+
+TEST(TimeStep, ElasticWave)
+{
+  Cloud c = lattice(2, 5);
+  c.opt.viscosity = Viscosity::NONE;
+  c.evaluate();
+  const double limit = c.sweeps->time_step_limit(c.particles(), c.neighbors());
+  EXPECT_NEAR(limit, 1.3 / C_L, 1e-15);
+}
+
+TEST(TimeStep, ViscosityShortensIt)
+{
+  Cloud c = closing_pair(1.0);
+  c.opt.h = 1.0;
+  c.opt.viscosity = Viscosity::MONAGHAN;
+  c.opt.a1 = 0.5;
+  c.opt.a2 = 2.0;
+  c.evaluate();
+  const double limit = c.sweeps->time_step_limit(c.particles(), c.neighbors());
+  EXPECT_NEAR(limit, 1.0 / (C_L + 0.6 * (0.5 + 2.0 * 0.2 / 1.01)), 1e-15);
+}
+
+// Lagrangian frame: less by the least principal stretch
+
+TEST(TimeStep, ShrinksWithTheLeastStretch)
+{
+  for (int dim : {2, 3})
+    for (double stretch : {3.0, 1.0, 0.8, 0.4, 0.1}) {
+      Cloud c = body(dim);
+      deform(c, turned_stretch(stretch, 1.5, 1.2));
+      c.evaluate();
+      EXPECT_NEAR(c.sweeps->time_step_limit(c.particles(), c.neighbors()),
+                  1.3 * std::min(1.0, stretch) / C_L, 1e-12);
+    }
+}

@@ -1,0 +1,110 @@
+/* ----------------------------------------------------------------------
+   Bodies that are periodic in the Lagrangian frame: they do not feel the boundary.
+------------------------------------------------------------------------- */
+
+#include "lagrangian_block.h"
+
+using namespace sphsolid_test;
+
+namespace {
+
+// a bar along x, 12 particles, periodic
+
+Block bar()
+{
+  Block b;
+  b.boundary = "p f";
+  b.box = "0 0.012 -0.04 0.04";
+  b.nx = 12;
+  b.ny = 5;
+  b.frame = "lagrangian";
+  return b;
+}
+
+// it is sheared across the boundary by
+// moving every particle in y by a wave: as the box is continuous, forces are
+// those of a bar shifted by half a box
+
+std::string sheared_bar(double shift)
+{
+  Block b = bar();
+  b.motion = "variable phase equal 2*PI/0.012\nvariable vx atom 100*cos(v_phase*(x-" + num(shift) +
+      "))\nvariable vy atom 50*sin(v_phase*(x-" + num(shift) +
+      "))*(1+100*y)\nvelocity all set v_vx v_vy NULL units box\n";
+  return b.script();
+}
+
+TEST(LagrangianPeriodic, BarDoesNotFeelTheBoundary)
+{
+  Session a, b;
+  a(sheared_bar(0.0));
+  a("run 100");
+  b(sheared_bar(0.006));
+  b("run 100");
+  const State here = a.state(), there = b.state();
+  double most = 0.0;
+  for (int i = 0; i < 60; i++) {
+    const int j = (i / 12) * 12 + (i % 12 + 6) % 12;    // half a box further
+    most = std::max(most, std::fabs(here[i].stress[0]));
+    EXPECT_NEAR(here[i].stress[0], there[j].stress[0], 1.0e-9 * Y0);
+    EXPECT_NEAR(here[i].v[0], there[j].v[0], 1.0e-9 * 100.0);
+    EXPECT_NEAR(here[i].v[1], there[j].v[1], 1.0e-9 * 100.0);
+    EXPECT_NEAR(here[i].f[1], there[j].f[1], 1.0e-9 * 1.0e6);
+  }
+  EXPECT_GT(most, 1.0e7);
+}
+
+// stretched sideways the bar is the same everywhere along x
+
+TEST(LagrangianPeriodic, UniformStretchIsUniformStress)
+{
+  Session s;
+  Block b = bar();
+  b.motion = "variable vy atom 2e4*(y-0.002)\nvelocity all set 10 v_vy 0 units box\n";
+  s(b.script());
+  s("compute n all sph/solid/atom neigh\nrun 300");
+  ASSERT_GT(s.value("time") * 10.0, 0.0001);    // and moves through the boundary
+  const State state = s.state();
+  for (int i = 0; i < 60; i++) {
+    const int first = i / 12 * 12;
+    for (int k = 0; k < 6; k++)
+      EXPECT_NEAR(state[i].stress[k], state[first].stress[k], 1.0e-9 * Y0);
+    EXPECT_NEAR(state[i].v[0], 10.0, 1.0e-9);
+    EXPECT_EQ(s.per_atom("n")[i + 1], s.per_atom("n")[first + 1]);
+  }
+  EXPECT_GT(std::fabs(state[24].stress[1]), 1.0e6);
+}
+
+TEST(LagrangianPeriodic, TriclinicBoxIsRefused)
+{
+  Session s;
+  s("units si\ndimension 2\nboundary p p p\natom_style sph/solid\natom_modify map array\n"
+    "region box prism 0 0.012 0 0.012 -0.0005 0.0005 0.002 0 0\ncreate_box 1 box\n"
+    "lattice sq 0.001\ncreate_atoms 1 box\nset group all volume 1e-6\n"
+    "pair_style sph/solid 1.3e-3\npair_coeff * * " +
+    std::string(IRON) + NEIGHBOR + MOVE);
+  EXPECT_THAT(s.error("run 0"),
+              HasSubstr("sph/solid, frame lagrangian: a triclinic box cannot be periodic"));
+}
+
+TEST(LagrangianPeriodic, ChangingBoxIsRefused)
+{
+  Session s;
+  s(sheared_bar(0.0));
+  EXPECT_THAT(s.error("fix pull all deform 1 x erate 1e3\nrun 1"),
+              HasSubstr("sph/solid, frame lagrangian: a periodic box cannot change its size"));
+}
+
+TEST(LagrangianPeriodic, ShortBoxIsRefused)
+{
+  Session s;
+  Block b = bar();
+  b.box = "0 0.004 -0.04 0.04";    // the particle 2 mm to the right is the one 2 mm to the left
+  b.nx = 4;
+  s(b.script());
+  EXPECT_THAT(s.error("run 0"),
+              HasSubstr("sees the same partner twice: the periodic box must be longer than two "
+                        "ranges of the kernel"));
+}
+
+}    // namespace
