@@ -22,7 +22,7 @@ TEST(LagrangianDefaults, AreTheKeywordsWrittenOut)
   const State defaults = s.state();
   expect_bitwise(run(body("viscosity correct hbar 1.5 weights conservative alpha 1 1 heating "
                           "compatible gradient corrected tensile none hourglass 0.03 distortion "
-                          "error")),
+                          "error energy yes")),
                  defaults);
   EXPECT_GT(largest_difference(run(body("hourglass 0.0")), defaults), 1.0e-12);
   Block eulerian = body();

@@ -4,6 +4,12 @@
 
 #include "lagrangian_block.h"
 
+#include "domain.h"
+#include "nbin.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "npair.h"
+
 using namespace sphsolid_test;
 
 namespace {
@@ -73,6 +79,44 @@ TEST(LagrangianPeriodic, UniformStretchIsUniformStress)
     EXPECT_EQ(s.per_atom("n")[i + 1], s.per_atom("n")[first + 1]);
   }
   EXPECT_GT(std::fabs(state[24].stress[1]), 1.0e6);
+}
+
+// partners move apart, the communication cutoff follows, and ghosts come from further away: the
+// bins of the neighbor list have to reach as far.  They are set up at the start of a run and not
+// in it, so one that grew out of them was written beyond the arrays.  Soft, so that the rows fly
+
+void expect_a_bin_for_every_ghost(const LAMMPS_NS::LAMMPS *lmp)
+{
+  const LAMMPS_NS::Atom *atom = lmp->atom;
+  ASSERT_EQ(lmp->neighbor->nlist, 1);
+  const LAMMPS_NS::NBin *bin = lmp->neighbor->lists[0]->np->nb;
+  ASSERT_NE(bin, nullptr);
+  const int lo[2] = {bin->mbinxlo, bin->mbinylo}, n[2] = {bin->mbinx, bin->mbiny};
+  const double inverse[2] = {bin->bininvx, bin->bininvy};
+  ASSERT_GT(atom->nghost, 0);
+  for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++)
+    for (int a = 0; a < 2; a++) {
+      const double at = (atom->x[i][a] - lmp->domain->boxlo[a]) * inverse[a] - lo[a];
+      ASSERT_TRUE(at >= 0.0 && at <= n[a])
+          << "a ghost at " << atom->x[i][a] << " is " << at << " bins from the first of " << n[a];
+    }
+}
+
+TEST(LagrangianPeriodic, BinsFollowTheGhostCutoff)
+{
+  Block b = bar();
+  b.material = "inline rho0 7850 eos linear 1e5 shear 1e5 strength elastic\n";
+  b.motion = "variable vy atom 1e4*(y-0.002)\nvelocity all set 0 v_vy 0 units box\n";
+  b.fixes = "fix move all sph/solid\ntimestep 1e-6\n";
+  Session s;
+  s(b.script());
+  s("run 0");
+  const double before = s.lmp->comm->cutghost[0];
+  expect_a_bin_for_every_ghost(s.lmp);
+  s("run 200");
+  EXPECT_THAT(s.log(), HasSubstr("ghost cutoff enlarged"));
+  EXPECT_GT(s.lmp->comm->cutghost[0], 2.0 * before);    // more than a bin and the spare one
+  expect_a_bin_for_every_ghost(s.lmp);
 }
 
 TEST(LagrangianPeriodic, TriclinicBoxIsRefused)

@@ -46,12 +46,18 @@ METHODS = {                     # row of a chart: viscosity
     "monaghan 0.5": "monaghan 0.5 0.5",
     "monaghan 1": "monaghan 1 1",
     "correct": "correct",
+    "weights safe": "correct weights safe",
     "limited 0.5": "limited 0.5 0.5",
+    "balsara 1": "balsara 1 1",
+    "front": "front",
 }
 PAIRS = {                       # viscosities with coefficients a1, a2
     "monaghan": "monaghan {} {}",
     "correct": "correct alpha {} {}",
+    "weights safe": "correct weights safe alpha {} {}",
     "limited": "limited {} {}",
+    "balsara": "balsara {} {}",
+    "front": "front alpha {} {}",
 }
 
 COEFFICIENTS = (0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 2.5)
@@ -67,9 +73,9 @@ LOADS = (-1000, -300, -100, 0, 100, 300, 1000)
 def rod(chart, panel, row, column, form, viscosity, weight=0.6, **more):
     """The Taylor rod at half the resolution: 11 x 34 particles."""
     form = FORMS[form]
-    cfl = float(more.get("cfl", 0.3))
+    cfl, tend = float(more.get("cfl", 0.3)), float(more.get("tend", 50e-6))
     variables = {"frame": form.frame, "gradient": form.gradient, "h": form.h, "viscosity": viscosity, "refine": 0.5,
-                 "half": 0.1, "steps": round(9000 * 0.3 / cfl), **more}
+                 "half": 0.1, "steps": round(9000 * 0.3 / cfl * tend / 50e-6), **more}
     return Run(chart, panel, row, str(column), "rod", TAYLOR, "in.taylor", variables, weight * 0.3 / cfl)
 
 
@@ -147,7 +153,7 @@ def growth(quick):
         for h in ((1.3,) if quick else (1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 2.0)):
             for mode in (1, 2, 3):
                 yield grow("smoothing", f"{gradient} {mode}", h, 0.02, h, mode, gradient)
-    for key in ("none", "monaghan 0.2", "monaghan 0.5", "monaghan 1", "correct"):
+    for key in METHODS:
         for h in ((1.3,) if quick else (1.2, 1.3, 1.4)):
             yield grow("viscosity", key, h, 0.02, h, viscosity=METHODS[key])
     for h in ((1.3,) if quick else (1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 2.0)):

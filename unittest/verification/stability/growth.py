@@ -14,7 +14,8 @@ Artificial stress (eps, n) makes (1 - eps f^n) dW/dr of dW/dr, f = W(r)/W(d), wh
 
 Viscosity: of a growing pair of columns one side always approaches, so that u'' + beta u' = gamma^2 u with the linear term of eqs 23
 and 24 of Shaw and Reid (2009); `viscosity correct` leaves the share of it that belongs to the nearest neighbours in the
-other columns."""
+other columns, `weights safe` the part of that share which is along the lines of centres. Velocity gradients are zero in this
+mode: `limited` and `front` have nothing to take away and leave all of it, and the switch of `balsara` is 0 and leaves none."""
 
 import math
 
@@ -70,23 +71,29 @@ def damping(h, a1, c=1.0):
                for i, j, r in neighbours(SUPPORT * h) if i > 0 and i % 2)
 
 
-def retained(hbar=1.5):
+def retained(safe=False, hbar=1.5):
     """Share of the viscosity that the correction leaves in mode 1."""
-    weights = [(i % 2, kernel(2 * r / hbar)[0]) for i, j, r in neighbours(hbar)]
-    return sum(w for odd, w in weights if odd) / sum(w for _, w in weights)
+    near = [(i, (i / r) ** 2 if safe else 1.0, kernel(2 * r / hbar)[0]) for i, j, r in neighbours(hbar)]
+    return sum(w * along for i, along, w in near if i % 2) / sum(w for _, _, w in near)
+
+
+def linear_coefficient(words):
+    """a1 of a viscosity; 0 of one that does not act in mode 1."""
+    if words[0] in ("none", "balsara"):
+        return 0.0
+    return float(words[1]) if words[0] in ("monaghan", "limited") else 1.0
 
 
 def rate(tension, h, mode=1, gradient="corrected", viscosity="none", eps=0.0):
     """Exact growth rate in c0/dx; tension over rho0 c0^2; 0 where the mode is stable."""
     rho = 1 - tension    # P = rho/rho0 - 1
     square = 2 * tension * stiffness(h, mode, eps, rest=math.sqrt(rho)) / rho / (slope(h) if gradient == "corrected" else 1.0)
-    words, beta = viscosity.split(), 0.0
+    words = viscosity.split()
     if words[0] != "none" and mode != 1:
         return math.nan
-    if words[0] in ("monaghan", "correct"):
-        beta = damping(h, float(words[1]) if len(words) > 1 else 1.0)
+    beta = damping(h, linear_coefficient(words))
     if words[0] == "correct":
-        beta *= retained()
+        beta *= retained(safe="safe" in words)
     return math.sqrt(square + beta * beta / 4) - beta / 2 if square > 0 else 0.0
 
 

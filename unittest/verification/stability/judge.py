@@ -154,9 +154,18 @@ def used_up(run):
     return "steps" in run.variables and bool(done) and int(done[-1]) >= run.variables["steps"]
 
 
+def left_the_box(run):
+    """Particles lost after the last line of thermo output, which is where LAMMPS looks for them. Runs are on one rank."""
+    log = log_of(run)
+    created, own = re.findall(r"Created (\d+) atoms", log), re.findall(r"Nlocal: +(\d+) ave", log)
+    return bool(created) and bool(own) and int(own[-1]) < int(created[0])
+
+
 def verdict_of(run, end, message):
     if message:
         return stop(message)
+    if left_the_box(run):
+        return LEFT
     if used_up(run):
         return SLOW
     if end.get("energy", 0.0) > ENERGY_ERROR:

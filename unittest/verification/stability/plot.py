@@ -103,29 +103,35 @@ STOPS = "where a run stops: the time it has reached, % of the whole"
 
 
 def coefficients(folder, lines):
-    panels(folder, "coefficients", lines, (3, 3), (11, 11.2),
-           lambda name: f"{name.split()[1]}: {form_title(name.split()[0])}",
+    order = [f"{form} {key}" for key in charts.PAIRS for form in charts.FORMS]
+    lines = sorted(lines, key=lambda line: order.index(line["panel"]))
+
+    def title(name):
+        form, key = name.split(maxsplit=1)
+        return f"{key}: {form_title(form)}"
+
+    panels(folder, "coefficients", lines, (len(charts.PAIRS), len(charts.FORMS)), (11, 22), title,
            f"number: foot against finite elements, %; {STOPS}", "a1", "a2", upwards=True)
 
 
 def smoothing(folder, lines):
-    panels(folder, "smoothing", lines, (3, 1), (7.2, 7.6), form_title,
+    panels(folder, "smoothing", lines, (3, 1), (7.2, 10.4), form_title,
            f"number: foot against finite elements, %; {STOPS}", "h in spacings")
 
 
 def courant(folder, lines):
-    panels(folder, "courant", lines, (3, 1), (7.2, 7.6), form_title,
+    panels(folder, "courant", lines, (3, 1), (7.2, 10.4), form_title,
            f"number: foot against finite elements, %; {STOPS}", "cfl of fix sph/solid/dt")
 
 
 def speed(folder, lines):
-    panels(folder, "speed", lines, (3, 1), (7.2, 7.6), form_title,
+    panels(folder, "speed", lines, (3, 1), (7.2, 10.4), form_title,
            f"number: length after 80 us over the first, %; {STOPS}", "impact speed (m/s)", percent=".0f")
 
 
 def tension(folder, lines):
     titles = {"eulerian, artificial": "frame eulerian, gradient corrected, tensile artificial 0.3 4"}
-    panels(folder, "tension", lines, (2, 2), (10, 5.4), lambda name: titles.get(name) or form_title(name),
+    panels(folder, "tension", lines, (2, 2), (10, 7.2), lambda name: titles.get(name) or form_title(name),
            f"number: elongation from which the stress is not uniform, % (of 10 %); {STOPS}", "elongation per second (1/s)", percent=".1f")
 
 
@@ -134,13 +140,13 @@ def jitter(folder, lines):
     what = {"lagrangian": "lagrangian", "eulerian": "eulerian", "plain": "eulerian, gradient plain"}
     order = [f"{scene} {form}" for scene in titles for form in charts.FORMS]
     lines = sorted(lines, key=lambda line: order.index(line["panel"]))
-    panels(folder, "jitter", lines, (3, 3), (11, 7.8), lambda name: f"{titles[name.split()[0]]}: {what[name.split()[1]]}",
+    panels(folder, "jitter", lines, (3, 3), (11, 10.8), lambda name: f"{titles[name.split()[0]]}: {what[name.split()[1]]}",
            f"number, %: foot against finite elements (rod), elongation from which the stress is not uniform (strip), change of "
            f"the kinetic energy (square)\n{STOPS}", "random displacement in spacings", percent=".1f")
 
 
 def turning(folder, lines):
-    panels(folder, "turning", lines, (3, 1), (7.2, 7.6), form_title,
+    panels(folder, "turning", lines, (3, 1), (7.2, 10.4), form_title,
            f"number: stress in the middle against the exact one, %; {STOPS}", "stress in the middle by the load (MPa)")
 
 
@@ -149,9 +155,16 @@ def turning(folder, lines):
 COLORS = ("#4477aa", "#ee6677", "#228833", "#aa8800", "#aa3377")
 
 
-def dots(axes, lines, color, label, size=5):
+SEEN = {    # viscosities in the growth chart: colour, size, face; rings around those with which they coincide by the formula
+    "none": (COLORS[0], 5, None), "balsara 1": (COLORS[0], 10, "none"), "monaghan 0.2": (COLORS[1], 5, None),
+    "monaghan 0.5": (COLORS[2], 5, None), "limited 0.5": (COLORS[2], 9, "none"), "correct": (COLORS[4], 13, "none"),
+    "weights safe": (COLORS[4], 17, "none"), "monaghan 1": (COLORS[3], 5, None), "front": (COLORS[3], 10, "none"),
+}
+
+
+def dots(axes, lines, color, label, size=5, face=None):
     x, y = ([float(line[key]) for line in lines] for key in ("column", "number"))
-    axes.plot(x, y, "o", color=color, ms=size, label=label)
+    axes.plot(x, y, "o", color=color, ms=size, mfc=face or color, label=label)
 
 
 def curve(axes, xs, rate, color, **style):
@@ -168,11 +181,11 @@ def growth_rates(folder, lines):
         curve(grid[0, 0], xs, lambda T: growth.rate(T, float(h)), color)
     grid[0, 0].set(xscale="log", yscale="log", xlabel="tension / (rho0 c0^2)", title="columns against each other, no viscosity")
 
-    for key, color in zip(unique(part("viscosity"), "row"), COLORS):
-        dots(grid[0, 1], part("viscosity", key), color, key)
+    for key, (color, size, face) in SEEN.items():
+        dots(grid[0, 1], part("viscosity", key), color, key, size=size, face=face)
         curve(grid[0, 1], np.linspace(1.15, 1.45, 40),
               lambda h: growth.rate(0.02, h, viscosity=charts.METHODS[key]), color)
-    grid[0, 1].set(xlabel="h in spacings", title="with viscosity, tension 0.02", ylim=(0, None))
+    grid[0, 1].set(xlabel="h in spacings", title="with viscosity, tension 0.02", ylim=(0, 0.4))
 
     for axes, panel, eps, title in ((grid[1, 0], "smoothing", 0.0, "three modes, tension 0.02, no viscosity"),
                                     (grid[1, 1], "artificial", 0.3, "the same with tensile artificial 0.3 4")):
@@ -186,7 +199,7 @@ def growth_rates(folder, lines):
     for axes in grid.flat:
         axes.set_ylabel("growth rate (c0/dx)")
         axes.grid(color="0.92")
-        axes.legend(fontsize=8)
+        axes.legend(fontsize=8, ncols=3 if axes is grid[0, 1] else 1)
     for axes in grid[1]:
         axes.set_ylim(-0.01, top)
     figure.suptitle("Tensile instability, frame eulerian: runs (dots) and formula (lines)", fontsize=11)
