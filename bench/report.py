@@ -4,7 +4,7 @@ import csv
 import pathlib
 
 import counted
-from variants import BLOCKS, BY_KEY, VARIANTS, features
+from variants import BY_KEY, VARIANTS, features
 from running import markdown    # counted imports block, which has put that folder on the path
 
 HERE = pathlib.Path(__file__).resolve().parent

@@ -8,7 +8,7 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
-from running import at, columns, markdown, seconds, snapshots
+from running import columns, markdown, seconds, snapshots
 
 OUTPUT = HERE / "output"
 

@@ -105,6 +105,7 @@ void expect_a_bin_for_every_ghost(const LAMMPS_NS::LAMMPS *lmp)
 TEST(LagrangianPeriodic, BinsFollowTheGhostCutoff)
 {
   Block b = bar();
+  b.options = "viscosity none hourglass 0";
   b.material = "inline rho0 7850 eos linear 1e5 shear 1e5 strength elastic\n";
   b.motion = "variable vy atom 1e4*(y-0.002)\nvelocity all set 0 v_vy 0 units box\n";
   b.fixes = "fix move all sph/solid\ntimestep 1e-6\n";

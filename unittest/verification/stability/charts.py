@@ -75,7 +75,7 @@ def rod(chart, panel, row, column, form, viscosity, weight=0.6, **more):
     form = FORMS[form]
     cfl, tend = float(more.get("cfl", 0.3)), float(more.get("tend", 50e-6))
     variables = {"frame": form.frame, "gradient": form.gradient, "h": form.h, "viscosity": viscosity, "refine": 0.5,
-                 "half": 0.1, "steps": round(9000 * 0.3 / cfl * tend / 50e-6), **more}
+                 "half": 0.1, "cfl": cfl, "steps": round(9000 * 0.3 / cfl * tend / 50e-6), **more}
     return Run(chart, panel, row, str(column), "rod", TAYLOR, "in.taylor", variables, weight * 0.3 / cfl)
 
 

@@ -11,7 +11,7 @@ sys.path[:0] = [str(HERE), str(HERE.parents[2] / "examples"), str(HERE.parents[2
 
 import growth
 import running
-from charts import OUTPUT, TAYLOR
+from charts import TAYLOR
 from measure import closest, tension    # of examples/elastic
 
 # verdicts, in the order in which they are looked for; the colours and words of the legend are in plot.py

@@ -4,7 +4,6 @@ import csv
 import pathlib
 
 import charts
-import growth
 import judge
 from charts import FORMS, METHODS, ROOT
 
