@@ -21,7 +21,6 @@
 #include "error.h"
 #include "fix.h"
 #include "fix_sph_solid_partners.h"
-#include "fix_sph_solid_wall.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -29,15 +28,11 @@
 #include "neighbor.h"
 #include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
-#include "sph_solid_kernel.h"
-#include "sph_solid_material_card.h"
-#include "sph_solid_options.h"
 #include "sph_solid_sweeps.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace SPHSolid;
@@ -93,17 +88,6 @@ PairSPHSolid::~PairSPHSolid()
   delete[] types;
   delete sweeps;
   delete kept;
-}
-
-void PairSPHSolid::allocate()
-{
-  allocated = 1;
-  const int n = atom->ntypes;
-  memory->create(setflag, n + 1, n + 1, "pair:setflag");
-  memory->create(cutsq, n + 1, n + 1, "pair:cutsq");
-  for (int i = 1; i <= n; i++)
-    for (int j = i; j <= n; j++) setflag[i][j] = 0;
-  types = new TypeData[n + 1];
 }
 
 /* ----------------------------------------------------------------------
@@ -340,267 +324,6 @@ void PairSPHSolid::report_overload()
 }
 
 /* ----------------------------------------------------------------------
-   global settings
-------------------------------------------------------------------------- */
-
-void PairSPHSolid::settings(int narg, char **arg)
-{
-  *options = parse_options(lmp, narg, arg);
-}
-
-/* ----------------------------------------------------------------------
-   set coeffs for one or more types: a material belongs to one type
-------------------------------------------------------------------------- */
-
-void PairSPHSolid::coeff(int narg, char **arg)
-{
-  if (narg < 3)
-    error->all(FLERR,
-               "pair_coeff sph/solid: expected I J <file> <material> [keyword values] or "
-               "I J inline <keyword values>");
-  if (!allocated) allocate();
-  int ilo, ihi, jlo, jhi;
-  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
-  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
-
-  Material material;
-  const bool from_card = strcmp(arg[2], "inline") != 0;
-  const std::string where = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " sph/solid";
-  if (from_card) {
-    if (narg < 4)
-      error->all(FLERR, "{}: card '{}' needs the name of a material after it", where, arg[2]);
-    std::string units;
-    const auto words = read_card(lmp, arg[2], arg[3], units);
-    parse_material(lmp, material, words, units, where + ", card '" + arg[2] + "'");
-  }
-  const std::vector<std::string> words(arg + (from_card ? 4 : 3), arg + narg);
-  parse_material(lmp, material, words, update->unit_style, where);
-  check_material(lmp, material, where);
-
-  int count = 0;
-  for (int i = std::max(ilo, jlo); i <= std::min(ihi, jhi); i++) {
-    types[i].material = material;
-    setflag[i][i] = 1;
-    count++;
-  }
-  logged = false;
-  if (count == 0)
-    error->all(FLERR,
-               "{}: a material belongs to one type: expected I = J or ranges with common "
-               "types (pairs of types use the mean of both)",
-               where);
-}
-
-/* ----------------------------------------------------------------------
-   init specific to this pair style
-------------------------------------------------------------------------- */
-
-void PairSPHSolid::init_style()
-{
-  require_environment();
-  require_one_integrator();
-  if (domain->dimension == 2) require_single_layer();
-  if (!options->energy) require_cold_materials();
-  fill_unset_state();
-  measure_spacing();
-
-  if (!comm->ghost_velocity) {
-    comm->ghost_velocity = 1;
-    if (comm->me == 0) utils::logmesg(lmp, "sph/solid: switched on comm_modify vel yes\n");
-  }
-  if (!logged)
-    for (int i = 1; i <= atom->ntypes; i++)
-      if (setflag[i][i]) log_material(lmp, i, types[i].material, types[i].h, types[i].spacing);
-  logged = true;
-  warned_lost = warned_overload = false;
-
-  if (sweeps) *kept = sweeps->ledger;
-  delete sweeps;
-  sweeps = Sweeps::create(domain->dimension, *options,
-                          std::vector<TypeData>(types, types + atom->ntypes + 1))
-               .release();
-  sweeps->ledger = *kept;
-  evaluated_own = evaluated_all = -1;
-  sweeps->nthreads = comm->nthreads;
-  comm_forward = std::max(3, sweeps->stress_size());    // the largest of all messages
-  collect_planes();
-  if (options->frame == Frame::LAGRANGIAN) {
-    create_partners();
-    neighbor->add_request(this, NeighConst::REQ_FULL | NeighConst::REQ_OCCASIONAL);
-  } else {
-    delete_partners();
-    neighbor->add_request(this, NeighConst::REQ_FULL);
-  }
-}
-
-void PairSPHSolid::require_environment()
-{
-  if (!AtomVecSPHSolid::arrays(atom))
-    error->all(FLERR, "Pair style sph/solid needs atom_style sph/solid (alone or in hybrid)");
-  if (atom->tag_enable == 0) error->all(FLERR, "Pair style sph/solid needs atom IDs");
-  const std::string units = update->unit_style;
-  if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
-    error->all(FLERR, "Pair style sph/solid works in units si, cgs, micro, nano or lj, not in {}",
-               units);
-  if (update->whichflag == 2)
-    error->all(FLERR, "Pair style sph/solid carries a history and cannot be minimized");
-  if (!options) error->all(FLERR, "Pair style sph/solid has no settings");
-  for (int i = 1; i <= atom->ntypes; i++)
-    if (!setflag[i][i] && !force->pair_match("^hybrid", 0))
-      error->all(FLERR,
-                 "Pair style sph/solid: type {0} has no material: expected pair_coeff {0} {0} "
-                 "<file> <material>",
-                 i);
-}
-
-/* ----------------------------------------------------------------------
-   every particle is moved by one fix: ours or, for a clamped group, none
-------------------------------------------------------------------------- */
-
-void PairSPHSolid::require_one_integrator()
-{
-  integrated = 0;
-  for (const auto &fix : modify->get_fix_list()) {
-    if (strcmp(fix->style, "sph/solid") != 0) continue;
-    require_apart(fix);
-    integrated |= fix->groupbit;
-  }
-  if (!integrated && update->whichflag == 1)
-    error->all(FLERR,
-               "Pair style sph/solid: no time integration: expected a command like "
-               "'fix 1 all sph/solid'");
-
-  for (const auto &fix : modify->get_fix_list())
-    if (fix->time_integrate && strcmp(fix->style, "sph/solid") != 0) require_apart(fix);
-}
-
-// fix may not move particles that fixes sph/solid, as far as they are known, move
-
-void PairSPHSolid::require_apart(const Fix *fix)
-{
-  int twice = 0, twice_all = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & fix->groupbit) && (atom->mask[i] & integrated)) twice++;
-  MPI_Allreduce(&twice, &twice_all, 1, MPI_INT, MPI_SUM, world);
-  if (twice_all)
-    error->all(FLERR,
-               "Pair style sph/solid: fix {} of style {} moves {} particles that a fix "
-               "sph/solid moves too: expected one of the two per particle",
-               fix->id, fix->style, twice_all);
-}
-
-void PairSPHSolid::require_single_layer()
-{
-  for (int i = 0; i < atom->nlocal; i++)
-    if (std::fabs(atom->x[i][2]) > 1.0e-10 * domain->zprd)
-      error->one(FLERR,
-                 "Pair style sph/solid, dimension 2: particle {} has z = {}: expected a "
-                 "single layer of particles at z = 0",
-                 atom->tag[i], atom->x[i][2]);
-}
-
-// without an energy equation nothing may depend on the internal energy
-
-void PairSPHSolid::require_cold_materials()
-{
-  for (int i = 1; i <= atom->ntypes; i++)
-    if (setflag[i][i] && types[i].material.Gamma != 0.0)
-      error->all(FLERR,
-                 "Pair style sph/solid: the pressure of type {} depends on its internal energy, "
-                 "Gamma = {}: expected energy yes, or gamma 0",
-                 i, types[i].material.Gamma);
-}
-
-/* ----------------------------------------------------------------------
-   mass and density from the card, unless the user set them
-------------------------------------------------------------------------- */
-
-void PairSPHSolid::fill_unset_state()
-{
-  SPHSolidArrays *own = AtomVecSPHSolid::arrays(atom);
-  for (int i = 0; i < atom->nlocal; i++) {
-    const int t = atom->type[i];
-    if (!setflag[t][t]) continue;
-    if (!(atom->vfrac[i] > 0.0))
-      error->one(FLERR,
-                 "sph/solid: particle {} of type {} has no volume: expected a command like "
-                 "'set group all volume V' before the run",
-                 atom->tag[i], t);
-    if (atom->rmass[i] == 0.0) atom->rmass[i] = types[t].material.rho0 * atom->vfrac[i];
-    if (atom->rho[i] == 0.0) atom->rho[i] = atom->rmass[i] / atom->vfrac[i];
-    if (own->rho_weight[i] == 0.0) own->rho_weight[i] = atom->rho[i];
-  }
-}
-
-// when atoms moved between ranks or were added: everything has its state
-
-void PairSPHSolid::require_state()
-{
-  for (int i = 0; i < atom->nlocal; i++) {
-    const int t = atom->type[i];
-    if (!setflag[t][t]) continue;
-    if (!(atom->vfrac[i] > 0.0) || !(atom->rmass[i] > 0.0) || !(atom->rho[i] > 0.0))
-      error->one(
-          FLERR, Error::NOLASTLINE,
-          "sph/solid: particle {} at {:.8g} {:.8g} {:.8g} has volume {}, mass {} and density "
-          "{} in step {}: expected values > 0. Particles cannot be added during a run (fix "
-          "deposit): add them between runs and set their volume",
-          atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2], atom->vfrac[i], atom->rmass[i],
-          atom->rho[i], update->ntimestep);
-  }
-}
-
-/* ----------------------------------------------------------------------
-   spacing of a type: from its largest volume, since particles on a face of
-   the body carry half a cell only
-------------------------------------------------------------------------- */
-
-void PairSPHSolid::measure_spacing()
-{
-  const int n = atom->ntypes + 1;
-  std::vector<double> mine(n, 0.0), largest(n, 0.0);
-  for (int i = 0; i < atom->nlocal; i++)
-    mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->vfrac[i]);
-  MPI_Allreduce(mine.data(), largest.data(), n, MPI_DOUBLE, MPI_MAX, world);
-  for (int i = 1; i < n; i++) {
-    types[i].h = types[i].material.h > 0.0 ? types[i].material.h : options->h;
-    types[i].spacing = std::pow(largest[i], 1.0 / domain->dimension);
-  }
-}
-
-void PairSPHSolid::collect_planes()
-{
-  std::vector<Plane> planes;
-  double reach = 0.0;
-  for (int i = 1; i <= atom->ntypes; i++) reach = std::max(reach, 2.0 * types[i].h);
-  for (const auto &fix : modify->get_fix_list()) {
-    auto *wall = dynamic_cast<FixSPHSolidWall *>(fix);
-    if (!wall || !wall->is_symmetry()) continue;
-    for (const auto &other : planes)
-      if (other.dim == wall->dimension() &&
-          std::fabs(other.position - wall->position()) <= 2.0 * reach)
-        error->all(FLERR,
-                   "fix sph/solid/wall {}: parallel symmetry planes at {} and {} are closer "
-                   "than twice the kernel support {}",
-                   wall->id, other.position, wall->position(), reach);
-    planes.push_back({wall->dimension(), wall->position()});
-  }
-  sweeps->images.set_planes(planes);
-}
-
-/* ----------------------------------------------------------------------
-   init for one type pair i,j and corresponding j,i: the kernel's support
-------------------------------------------------------------------------- */
-
-double PairSPHSolid::init_one(int i, int j)
-{
-  double cut = 0.5 * SPHSolid::SUPPORT * (types[i].h + types[j].h);
-  if (options->viscosity == Viscosity::CORRECT)
-    cut = std::max(cut, 0.5 * options->hbar * (types[i].spacing + types[j].spacing));
-  return cut;
-}
-
-/* ----------------------------------------------------------------------
    messages to ghosts
 ------------------------------------------------------------------------- */
 
@@ -760,44 +483,6 @@ int PairSPHSolid::neighbor_count(int i) const
 Ledger &PairSPHSolid::ledger()
 {
   return sweeps ? sweeps->ledger : *kept;
-}
-
-/* ----------------------------------------------------------------------
-   restart
-------------------------------------------------------------------------- */
-
-void PairSPHSolid::write_restart(FILE *fp)
-{
-  write_restart_settings(fp);
-  for (int i = 1; i <= atom->ntypes; i++) {
-    fwrite(&setflag[i][i], sizeof(int), 1, fp);
-    fwrite(&types[i].material, sizeof(Material), 1, fp);
-  }
-}
-
-void PairSPHSolid::read_restart(FILE *fp)
-{
-  read_restart_settings(fp);
-  allocate();
-  for (int i = 1; i <= atom->ntypes; i++) {
-    if (comm->me == 0) {
-      utils::sfread(FLERR, &setflag[i][i], sizeof(int), 1, fp, nullptr, error);
-      utils::sfread(FLERR, &types[i].material, sizeof(Material), 1, fp, nullptr, error);
-    }
-    MPI_Bcast(&setflag[i][i], 1, MPI_INT, 0, world);
-    MPI_Bcast(&types[i].material, sizeof(Material), MPI_BYTE, 0, world);
-  }
-}
-
-void PairSPHSolid::write_restart_settings(FILE *fp)
-{
-  fwrite(options, sizeof(Options), 1, fp);
-}
-
-void PairSPHSolid::read_restart_settings(FILE *fp)
-{
-  if (comm->me == 0) utils::sfread(FLERR, options, sizeof(Options), 1, fp, nullptr, error);
-  MPI_Bcast(options, sizeof(Options), MPI_BYTE, 0, world);
 }
 
 double PairSPHSolid::memory_usage()

@@ -1,0 +1,233 @@
+/* ----------------------------------------------------------------------
+   What the sweeps of both frames share, second part: switch of a viscosity,
+   acceleration correction, heat.  Members of SweepsBase, which includes it.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_SWEEPS_VISCOUS_H
+#define LMP_SPH_SOLID_SWEEPS_VISCOUS_H
+
+#include "sph_solid_sweeps_base.h"
+
+namespace SPHSolid {
+
+/* ----------------------------------------------------------------------
+   switches of the viscosity.  That of "front" is how much of the deformation of
+   a particle is compression, known from its own velocity gradient, times how
+   much of the motion around it is not resolved, which takes one more sweep
+------------------------------------------------------------------------- */
+
+template <int D> Four SweepsBase<D>::own_switch(const Tensor<D, Four> &L, Four c, Four h) const
+{
+  if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Four>(L);
+  return balsara_switch<D, Four>(L, c, h);
+}
+
+// at_rate: where in a row the tensor R is that predicts the jump x_ij.R along(k, d)
+// of pair k, d being the difference of motion
+
+template <int D>
+template <class Along>
+void SweepsBase<D>::sum_switch(const NeighborRows &list, int at_rate, Along along)
+{
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads)
+#endif
+  for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii];
+    const Motion<D> own(kin(i));
+    const Several<D> rate = load_tensor<D>(str(i) + at_rate);
+    const double least = MU_EPSILON * kin(i)[Kin::H] * kin(i)[Kin::H];    // particles may meet
+    Four rest2 = 0.0, linear2 = 0.0;
+    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+      Motion<D> d[LANES];
+      Four l_i[LANES], l_j[LANES], weight = 0.0, r2, vr;
+      for (int m = 0; m < LANES; m++) {
+        const int j = pairs.j[k + m];
+        d[m] = own - Motion<D>(kin(j));
+        const Several<D> X = along(k + m, d[m]);
+        l_i[m] = d[m].expanded_x() * times(rate, X);
+        l_j[m] = d[m].expanded_x() * times(load_tensor<D>(str(j) + at_rate), X);
+        weight.set(m, -switch_weight(j) * pairs.factor[k + m]);
+      }
+      Motion<D>::dots(d, r2, vr);
+      const Four li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
+      const Four lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
+      const Four rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
+      rest2 += w * rest * rest;
+      linear2 += 0.5 * w * (li * li + lj * lj);
+    }
+    *viscosity_switch(i) *= unresolved_share(sum(rest2), sum(linear2));
+  }
+}
+
+template <int D> void SweepsBase<D>::mirror_switch()
+{
+  for (int k = 0; k < nrows - nparticles; k++)
+    *viscosity_switch(nparticles + k) = *viscosity_switch(images.source_of(k));
+}
+
+/* ----------------------------------------------------------------------
+   correction sweep: replaces the viscous acceleration by its grid-scale part
+------------------------------------------------------------------------- */
+
+template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
+{
+  mirror_vectors(da.data(), VECTOR);
+  if (safe()) near_pull.resize(near_weight.size());
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads)
+#endif
+  for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii];
+    if (!weights_known) near_weights(i);
+    Four sum = 0.0;
+    if (safe())
+      sum = central_correction(i);
+    else
+      each_few(i, [&](Four w, const int *, Four difference) {
+        sum += w * difference;
+      });
+    for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * few_summed<D>(sum, a);
+  }
+  weights_known = constant_weights();
+}
+
+// the same with weights safe; the sum in the first lanes
+
+template <int D> Four SweepsBase<D>::central_correction(int i)
+{
+  Four sum = 0.0;
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++) {
+    const int j = pairs.j[k];
+    const double *dai = &da[i * VECTOR], *daj = &da[j * VECTOR];
+    const Motion<D> d = Motion<D>(kin(i)) - Motion<D>(kin(j));
+    double ax = 0.0, vx = 0.0, x2 = 0.0;
+    for (int a = 0; a < D; a++) {
+      const double x = d.x()[a];
+      ax += (dai[a] - daj[a]) * x;
+      vx += (kin(i)[Kin::V + a] - kin(j)[Kin::V + a]) * x;
+      x2 += x * x;
+    }
+    near_pull[k] = near_weight[k] * safe_pull(ax, vx, x2);
+    for (int a = 0; a < D; a++) sum.set(a, sum[a] + near_pull[k] * d.x()[a]);
+  }
+  return sum;
+}
+
+// what the correction puts on i for its nearest neighbor in a pair, at separation x
+
+template <int D> Vector<D> SweepsBase<D>::near_force(int i, int pair, const Vector<D> &x) const
+{
+  const double half = 0.5 * kin(i)[Kin::MASS];
+  if (safe()) return half * near_pull[pair] * x;
+  const double *dai = &da[i * VECTOR], *daj = &da[pairs.j[pair] * VECTOR];
+  Vector<D> f;
+  for (int a = 0; a < D; a++) f[a] = half * near_weight[pair] * (dai[a] - daj[a]);
+  return f;
+}
+
+/* ----------------------------------------------------------------------
+   heat: compatible with the pair forces, so that kinetic plus internal
+   energy is constant to rounding for any displacement that the kick makes
+------------------------------------------------------------------------- */
+
+template <int D>
+void SweepsBase<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
+{
+  mirror_vectors(&krow[Kin::V], Kin::STRIDE);
+  double viscous = 0.0, standard = 0.0, damped = 0.0;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, standard, damped)
+#endif
+  for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii];
+    const Power power = pair_power(i);
+    double q = power.viscous;
+    if (needs_correction()) {
+      // what the standard viscosity would heat: q has all of it for eq. 30,
+      // else the pairs that no correction touches
+      if (opt.heating == Heating::COMPATIBLE) {
+        q = lonely ? lonely_power(i) : 0.0;
+        for (int a = 0; a < D; a++) standard -= kin(i)[Kin::MASS] * da[i * VECTOR + a] * u(i)[a];
+      }
+      standard += q;
+      q += heat_correction(i);
+    }
+    heat[i] = power.stress + q + power.hourglass;
+    viscous += q;
+    damped += power.hourglass;
+  }
+  if (!book) return;
+  ledger.viscous_heat += viscous;
+  ledger.hourglass += damped;
+  if (needs_correction()) ledger.returned += standard - viscous;
+}
+
+// the force coefficient of pairs that no correction replaces
+
+template <int D> double SweepsBase<D>::whole_pull(int i, int pair) const
+{
+  if (!keeps_pairs()) return 0.0;
+  if (needs_correction() && !is_lonely(i) && !is_lonely(pairs.j[pair])) return 0.0;
+  return own_weight(i) * pull[pair];
+}
+
+// standard viscosity of the pairs that the correction must not touch: one of
+// the two has no nearest neighbor.  Symmetric, so momentum stays exact
+
+template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
+{
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    const double s = whole_pull(i, k);
+    const Vector<D> d = separation(i, pairs.j[k]);
+    for (int a = 0; a < D; a++) p.f[i][a] -= s * d[a];
+  }
+}
+
+// half the work of the pairs that the correction leaves alone
+
+template <int D> double SweepsBase<D>::lonely_power(int i) const
+{
+  double sum = 0.0;
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    const int j = pairs.j[k];
+    const double s = whole_pull(i, k);
+    for (int a = 0; a < D; a++) sum += s * (u(i)[a] - u(j)[a]) * (kin(i)[a] - kin(j)[a]);
+  }
+  return 0.5 * sum;
+}
+
+// compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
+// shepard weights leak momentum, there the loss of kinetic energy of the
+// particle itself becomes heat (exact in total, not Galilean invariant);
+// printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
+// safe: half the work of each central pair force, none of it negative for u = v
+
+template <int D> double SweepsBase<D>::heat_correction(int i) const
+{
+  const bool printed = opt.heating == Heating::PRINTED;
+  const bool shepard = opt.weights == Weights::SHEPARD;
+  if (safe()) {
+    double power = 0.0;
+    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++)
+      for (int a = 0; a < D; a++)
+        power -= near_pull[k] * (u(i)[a] - u(pairs.j[k])[a]) * (kin(i)[a] - kin(pairs.j[k])[a]);
+    return 0.25 * kin(i)[Kin::MASS] * power;
+  }
+  const Four ui = load_few<D>(u(i), u(i));
+  Four power = 0.0;
+  each_few(i, [&](Four w, const int *j, Four difference) {
+    const Four uj = load_few<D>(u(j[0]), u(j[1]));
+    if (printed)
+      power += w * 0.5 * (ui - uj) * load_few<D>(&da[j[0] * VECTOR], &da[j[1] * VECTOR]);
+    else if (shepard)
+      power -= w * 0.5 * ui * difference;
+    else
+      power -= w * 0.25 * (ui - uj) * difference;
+  });
+  return kin(i)[Kin::MASS] * SPHSolid::sum(power);
+}
+
+}    // namespace SPHSolid
+
+#endif
