@@ -107,6 +107,18 @@ template <int D> inline double folded(Four t, int a)
   return D == 2 ? t[2 * a] + t[2 * a + 1] : t[a];
 }
 
+// a vector as products with spread vectors take it: {fx, fx, fy, fy}, in three dimensions
+// itself; from times(T, g), and from memory, D doubles and in three dimensions a 0
+
+template <int D> inline Four expanded(Four t)
+{
+  return D == 2 ? t + shuffle<1, 0, 3, 2>(t) : t;
+}
+template <int D> inline Four load_expanded(const double *a)
+{
+  return D == 2 ? Four(a[0], a[0], a[1], a[1]) : load(a);
+}
+
 // tensors of four particles, one per lane
 
 template <int D> inline Tensor<D, Four> lanes_of(const Several<D> *t)

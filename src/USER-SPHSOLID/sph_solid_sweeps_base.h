@@ -200,7 +200,8 @@ template <int D> class SweepsBase : public Sweeps {
   virtual Power pair_power(int i) const = 0;
   double heat_correction(int i) const;
   Four central_correction(int i);
-  Vector<D> near_force(int i, int pair, const Vector<D> &x) const;
+  Four near_force(int i, int pair, const Motion<D> &d) const;
+  template <class OfRow> void sum_virial(const NeighborRows &, double *six, OfRow of_row) const;
 
   Four own_switch(const Tensor<D, Four> &L, Four c, Four h) const;
   template <class Along> void sum_switch(const NeighborRows &, int at_rate, Along along);

@@ -438,35 +438,24 @@ typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
   return {si[Str::K] * stress, 0.5 * own_weight(i) * Motion<D>::v_dot_x(viscous), 0.0};
 }
 
-/* ----------------------------------------------------------------------
-   virial, only on steps that ask for it
-------------------------------------------------------------------------- */
-
 template <int D>
 void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, double *six)
 {
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    for (int k = 0; k < pairs.count[i]; k++) {
-      const int j = pairs.j[pairs.first[i] + k];
-      const Vector<D> d = separation(i, j);
-      const double w = str(i)[Str::K] * str(j)[Str::K] * pairs.factor[pairs.first[i] + k];
-      const double fn = opt.tensile ? crowd[pairs.first[i] + k] : 0.0;
-      Vector<D> f;
-      for (int a = 0; a < D; a++) {
-        f[a] = 0.0;
-        for (int b = 0; b < D; b++) {
-          const int ab = Blocks<D>::at(a, b);
-          f[a] += w * (str(i)[ab] + str(j)[ab]) * d[b];
-          if (opt.tensile) f[a] += w * fn * (str(i)[extra(0) + ab] + str(j)[extra(0) + ab]) * d[b];
-        }
-        f[a] -= whole_pull(i, pairs.first[i] + k) * d[a];
-      }
-      if (k < pairs.nearest[i]) f += near_force(i, pairs.first[i] + k, d);
-      for (int a = 0; a < D; a++)
-        for (int b = a; b < D; b++) six[VOIGT[a][b]] += 0.5 * d[a] * f[b];
-    }
-  }
+  const double *sall = srow.data(), *factor = pairs.factor.data();
+  const double *crowding = opt.tensile ? crowd.data() : nullptr;
+  const int *neighbor = pairs.j.data(), stride = stress_stride;
+  const bool pulls = keeps_pairs();
+  Base::sum_virial(list, six, [=](int i) {
+    const double *si = str(i), K = si[Str::K];
+    const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(crowding ? si + extra(0) : si);
+    return [=](int k, const Motion<D> &d) {
+      const double *sj = sall + static_cast<std::int64_t>(neighbor[k]) * stride;
+      Several<D> sum = T + load_tensor<D>(sj);
+      if (crowding) sum = sum + (R + load_tensor<D>(sj + extra(0))) * Four(crowding[k]);
+      const Several<D> g = d.spread_x() * Four(K * sj[Str::K] * factor[k]);
+      return expanded<D>(times(sum, g)) - Four(pulls ? whole_pull(i, k) : 0.0) * d.expanded_x();
+    };
+  });
 }
 
 }    // namespace

@@ -56,10 +56,10 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
  private:
   using Base = SweepsBase<D>;
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
-      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_force,
-      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
-      Base::separation, Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR,
-      Base::wbar_mass, Base::whole_pull, Base::work;
+      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_weight,
+      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::separation,
+      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass,
+      Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -491,32 +491,23 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
           0.5 * V0 * Motion<D>::v_dot_x(hourglass)};
 }
 
-/* ----------------------------------------------------------------------
-   virial, only on steps that ask for it
-------------------------------------------------------------------------- */
-
 template <int D>
 void LagrangianSweeps<D>::virial(const Particles &, const NeighborRows &list, double *six)
 {
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    const double V0 = kin(i)[Kin::VOLUME], *si = str(i);
-    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-      const int j = pairs.j[k], n = k - pairs.first[i];
-      const Vector<D> x = separation(i, j);
-      Vector<D> near = Vector<D>::Zero();
-      if (n < pairs.nearest[i]) near = near_force(i, k, x);
-      for (int a = 0; a < D; a++) {
-        double f = near[a];
-        for (int b = 0; b < D; b++)
-          f += V0 * pairs.factor[k] * (si[Blocks<D>::at(a, b)] + str(j)[Blocks<D>::at(a, b)]) *
-              sep[k * D + b];
-        if (opt.hourglass > 0.0) f += V0 * damp[k] * x[a];
-        f -= whole_pull(i, k) * x[a];
-        for (int b = 0; b <= a; b++) six[VOIGT[b][a]] += 0.5 * x[b] * f;
-      }
-    }
-  }
+  const double *sall = srow.data(), *X = sep.data(), *factor = pairs.factor.data();
+  const double *damping = opt.hourglass > 0.0 ? damp.data() : nullptr;
+  const int *neighbor = pairs.j.data(), stride = stress_stride;
+  const bool pulls = keeps_pairs();
+  Base::sum_virial(list, six, [=](int i) {
+    const double V0 = kin(i)[Kin::VOLUME];
+    const Several<D> T = load_tensor<D>(str(i));
+    return [=](int k, const Motion<D> &d) {
+      const double *sj = sall + static_cast<std::int64_t>(neighbor[k]) * stride;
+      const Several<D> g = load_spread<D>(X + k * D) * Four(V0 * factor[k]);
+      const double central = (damping ? V0 * damping[k] : 0.0) - (pulls ? whole_pull(i, k) : 0.0);
+      return expanded<D>(times(T + load_tensor<D>(sj), g)) + Four(central) * d.expanded_x();
+    };
+  });
 }
 
 /* ----------------------------------------------------------------------

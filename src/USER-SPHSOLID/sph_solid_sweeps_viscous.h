@@ -114,16 +114,55 @@ template <int D> Four SweepsBase<D>::central_correction(int i)
   return sum;
 }
 
-// what the correction puts on i for its nearest neighbor in a pair, at separation x
+/* ----------------------------------------------------------------------
+   virial, only on steps that ask for it: half of each pair's sum x_ij f_ij.
+   of_row(i) gives a function of pair k and d = x_ij, force of the pair on i without the
+   correction, expanded
+------------------------------------------------------------------------- */
 
-template <int D> Vector<D> SweepsBase<D>::near_force(int i, int pair, const Vector<D> &x) const
+template <int D>
+template <class OfRow>
+void SweepsBase<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_row) const
+{
+  const double *kall = krow.data();
+  const int *neighbor = pairs.j.data();
+  auto away = [kall, neighbor](const Motion<D> &own, int k) {
+    return own - Motion<D>(kall + static_cast<std::int64_t>(neighbor[k]) * Kin::STRIDE);
+  };
+  double total[6] = {};
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : total)
+#endif
+  for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii], first = pairs.first[i], end = first + pairs.count[i];
+    const Motion<D> own(kin(i));
+    const auto force = of_row(i);
+    Several<D> sum = Several<D>::zero();    // (a,b): f_a x_b
+    for (int k = first; k < end; k++) {
+      const Motion<D> d = away(own, k);
+      add_outer(sum, force(k, d), d.spread_x());
+    }
+    for (int k = first; k < first + pairs.nearest[i]; k++) {
+      const Motion<D> d = away(own, k);
+      add_outer(sum, near_force(i, k, d), d.spread_x());
+    }
+    double rows[Blocks<D>::TENSOR];
+    store_tensor(rows, sum);
+    for (int a = 0; a < D; a++)
+      for (int b = a; b < D; b++) total[VOIGT[a][b]] += 0.5 * rows[Blocks<D>::at(b, a)];
+  }
+  for (int n = 0; n < 6; n++) six[n] += total[n];
+}
+
+// what the correction puts on i for its nearest neighbor in a pair, expanded
+
+template <int D> inline Four SweepsBase<D>::near_force(int i, int pair, const Motion<D> &d) const
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
-  if (safe()) return half * near_pull[pair] * x;
-  const double *dai = &da[i * VECTOR], *daj = &da[pairs.j[pair] * VECTOR];
-  Vector<D> f;
-  for (int a = 0; a < D; a++) f[a] = half * near_weight[pair] * (dai[a] - daj[a]);
-  return f;
+  if (safe()) return Four(half * near_pull[pair]) * d.expanded_x();
+  const Four difference =
+      load_expanded<D>(&da[i * VECTOR]) - load_expanded<D>(&da[pairs.j[pair] * VECTOR]);
+  return Four(half * near_weight[pair]) * difference;
 }
 
 /* ----------------------------------------------------------------------
