@@ -146,9 +146,14 @@ void FixSPHSolid::initial_integrate(int)
   kick(0.5 * update->dt * force->ftm2v);
 
   double **x = atom->x, **v = atom->v;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    for (int k = 0; k < domain->dimension; k++) x[i][k] += update->dt * v[i][k];
+  const int nlocal = atom->nlocal, *mask = atom->mask, dimension = domain->dimension;
+  const double dt = update->dt;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
+#endif
+  for (int i = 0; i < nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    for (int k = 0; k < dimension; k++) x[i][k] += dt * v[i][k];
   }
 }
 
@@ -161,10 +166,14 @@ void FixSPHSolid::final_integrate()
 void FixSPHSolid::kick(double dtf)
 {
   double **v = atom->v, **f = atom->f, *rmass = atom->rmass;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
+  const int nlocal = atom->nlocal, *mask = atom->mask, dimension = domain->dimension;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
+#endif
+  for (int i = 0; i < nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
     const double dtfm = dtf / rmass[i];
-    for (int k = 0; k < domain->dimension; k++) v[i][k] += dtfm * f[i][k];
+    for (int k = 0; k < dimension; k++) v[i][k] += dtfm * f[i][k];
   }
 }
 
@@ -184,8 +193,14 @@ void FixSPHSolid::add_heat()
 
 void FixSPHSolid::take_up(const double *energy)
 {
-  for (int i = 0; i < atom->nlocal; i++)
-    if (pair->has_material(i)) atom->esph[i] += energy[i] / atom->rmass[i];
+  double *e = atom->esph;
+  const double *mass = atom->rmass;
+  const int nlocal = atom->nlocal;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
+#endif
+  for (int i = 0; i < nlocal; i++)
+    if (pair->has_material(i)) e[i] += energy[i] / mass[i];
 }
 
 // the next run starts from rest in time

@@ -208,7 +208,11 @@ void PairSPHSolid::pack_kinematics(bool setup)
     forward(HALF_VELOCITY, 3);
   } else {
     std::copy(p.rho, p.rho + p.nall, p.rho_weight);
-    for (int i = 0; i < p.nlocal; i++) std::copy(p.v[i], p.v[i] + 3, own->vhalf[i]);
+    double **vhalf = own->vhalf;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
+#endif
+    for (int i = 0; i < p.nlocal; i++) std::copy(p.v[i], p.v[i] + 3, vhalf[i]);
   }
   sweeps->pack_kinematics(p, resumed ? own->vhalf : p.v);
 }
@@ -381,10 +385,14 @@ PairSPHSolid *PairSPHSolid::find(LAMMPS *lmp, const char *caller)
 void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool book)
 {
   const Particles p = particles();
+  const int *mask = atom->mask, dimension = domain->dimension;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
+#endif
   for (int i = 0; i < p.nlocal; i++) {
     double *u = sweeps->displacement(i);
-    const double a = (atom->mask[i] & integrated) ? a_scale / p.mass[i] : 0.0;
-    for (int k = 0; k < domain->dimension; k++) u[k] = v_scale * p.v[i][k] + a * p.f[i][k];
+    const double a = (mask[i] & integrated) ? a_scale / p.mass[i] : 0.0;
+    for (int k = 0; k < dimension; k++) u[k] = v_scale * p.v[i][k] + a * p.f[i][k];
   }
   forward(DISPLACEMENT, domain->dimension);
   sweeps->heat(p, rows(), heat, book);
