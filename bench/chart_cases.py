@@ -75,8 +75,8 @@ MIRRORED = replace(DEFAULT, key="L-correct-symmetry", title="correct, symmetry w
 
 def rod(method, refine):
     wall = "symmetry" if method.stock else method.variables.get("wall", "contact")
-    support = method.variables.get("support", 3.0)    # step as in the input: a tenth of range over wave speed
-    stepped = {"step": f"{2e-8 / refine * support / 3.0:.3g}"} if method.stock else {}
+    support = method.variables.get("support", 3.0)    # stock: step as in the input, a tenth of range over wave speed
+    stepped = {"step": f"{2e-8 / refine * support / 3.0:.3g}"} if method.stock else {"cfl": "auto"}
     case = rod_cases.Case(f"{method.key}-{refine:g}", method.title, "chart", "chart", wall, method.variables.get("h", 1.5),
                           {**method.variables, **stepped, "refine": refine}, method.script("taylor"), method.frame or "eulerian", refine)
     level = REFINES.index(refine) + (refine == 2 and method.frame != "lagrangian")
