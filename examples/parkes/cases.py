@@ -60,6 +60,6 @@ CASES = [
     beam("correct", refine=2, levels=(2,), gated=True),
     beam("correct", refine=2, h=1.0, tend=3.0, levels=(1,)),
     *(beam(key, refine=2, h=1.0, tend=3.0, levels=(1,)) for key in VISCOSITIES if key != "correct"),
-    beam("correct", refine=4, tend=3.0, levels=(2,)),
+    *(beam(key, refine=4, tend=3.0, levels=(2,)) for key in VISCOSITIES),
 ]
 BY_NAME = {case.name: case for case in CASES}
