@@ -47,7 +47,7 @@ struct Options {
 
 // the Courant number that fix sph/solid/dt takes with cfl auto.  Taylor rods of all
 // viscosities come to their end with 1.8 in the lagrangian frame and some begin to differ
-// with 1.5; in the eulerian one rods whose foot tears stop with 0.6.
+// with 1.5; in the eulerian one some rods whose foot tears stop with 0.6.
 // doc/fix_sph_solid_dt.rst has the runs
 
 inline double usual_courant_number(Frame frame)

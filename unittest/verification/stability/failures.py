@@ -203,6 +203,16 @@ def time_step_too_long():
         between(f"{form}, cfl 2.5: numbers that are not finite", bad, -1, 1)
 
 
+def torn_rod_wants_small_steps():
+    """Eulerian frame, h = 1.3: the foot tears, and a step that a whole rod bears ends the run; that of cfl auto does not."""
+    torn = {"refine": 1, "h": 1.3, "steps": 100000}
+    _, message, _ = rod("eulerian", "monaghan 0.2 0.2", cfl=1.0, **torn)
+    says("cfl 1.0", message, "is not physical in step")
+    _, message, end = rod("eulerian", "monaghan 0.2 0.2", cfl=0.3, **torn)
+    runs_on("cfl 0.3", message)
+    between("foot over that of finite elements, minus 1", end["number"], 0.0, 0.1)
+
+
 def printed_heating():
     """The energy equation as printed makes energy: about as much as the uncorrected viscosity would turn into heat."""
     for form in ("eulerian", "lagrangian"):
@@ -223,7 +233,7 @@ def shepard_leaks():
 TESTS = {test.__name__: test for test in (
     no_viscosity_clumps, plain_foot, tension_grows_at_the_exact_rate, artificial_stress_lets_columns_slide, strip_tears,
     foot_tears_when_refined, disc_clumps_when_refined, balsara_does_not_see_clumping, safe_weights_keep_less_apart, rod_400,
-    jittered_strip, time_step_too_long, printed_heating, shepard_leaks)}
+    jittered_strip, time_step_too_long, torn_rod_wants_small_steps, printed_heating, shepard_leaks)}
 
 
 def main():
