@@ -8,6 +8,7 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
+from histories import crossings, slope
 from running import columns, markdown, seconds, snapshots
 
 OUTPUT = HERE / "output"
@@ -56,28 +57,15 @@ def has_run(case):
     return (OUTPUT / f"{case.name}.csv").exists() and len(read(case)["t_s"]) > 2
 
 
-def crossings(data):
-    """Times at which the tip passes where it began; the start is the first."""
-    t, y = data["t_s"], [tip - data["tip_mm"][0] for tip in data["tip_mm"]]
-    return [0.0] + [t[k - 1] + (t[k] - t[k - 1]) * y[k - 1] / (y[k - 1] - y[k])
-                    for k in range(2, len(t)) if y[k - 1] * y[k] < 0]
-
-
-def slope(values):
-    """Of a straight line through values at 0, 1, 2, ..."""
-    n = len(values)
-    mean, middle = sum(values) / n, (n - 1) / 2
-    return sum((k - middle) * (v - mean) for k, v in enumerate(values)) / sum((k - middle) ** 2 for k in range(n))
-
-
 def plate(case):
     data = read(case)
-    times, energy = crossings(data), data["kinetic_J"][0]
+    y = [tip - data["tip_mm"][0] for tip in data["tip_mm"]]
+    times, energy = [0.0] + crossings(data["t_s"], y, 2), data["kinetic_J"][0]    # the first line is the start
     period = 2 * slope(times) if len(times) > 2 else math.nan
     periods = data["t_s"][-1] / PERIOD[case.variables["clamp"]]
     left = (data["kinetic_J"][-1] + data["elastic_J"][-1]) / energy
     return {"period": period, "off": period / PERIOD[case.variables["clamp"]] - 1, "crossings": len(times) - 1,
-            "amplitude": max(abs(y - data["tip_mm"][0]) for y in data["tip_mm"]), "loss": (1 - left) / periods,
+            "amplitude": max(map(abs, y)), "loss": (1 - left) / periods,
             "heat": data["viscous_J"][-1] / energy / periods,
             "total": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"])}
 

@@ -232,7 +232,7 @@ def write_tables(cases):
     """All tables of what has been run: output/table.md, .csv; the text."""
     blocks = rows([case for case in cases if case.part not in STUDIES])
     parts = [(block, HEAD, table, 3) for block, table in blocks.items()]
-    parts += [("finer lattices", REFINE_HEAD, refinement_rows(cases), 5), ("speeds", SPEED_HEAD, speed_rows(cases), 0),
+    parts += [("finer lattices", REFINE_HEAD, refinement_rows(cases), 5), ("speeds", SPEED_HEAD, speed_rows(cases), 4),
               ("time steps", STEP_HEAD, step_rows(cases), 2)]
     text = "\n".join(f"**{block}**\n\n{markdown(head, table, left)}" for block, head, table, left in parts if table)
     (OUTPUT / "table.md").write_text(text)

@@ -37,10 +37,9 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
  private:
   using Base = SweepsBase<D>;
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
-      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_force,
-      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
-      Base::separation, Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR,
-      Base::whole_pull, Base::work;
+      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_weight,
+      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow,
+      Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -283,8 +282,7 @@ Tensor<D, Four> EulerianSweeps<D>::tension_stress(const Tensor<D, Four> &sigma) 
 
 template <int D> void EulerianSweeps<D>::find_switch(const NeighborRows &list)
 {
-  Base::sum_switch(list, at_rate(), [&](int k, const Motion<D> &d) {
-    (void) k;
+  Base::sum_switch(list, at_rate(), [](int, const Motion<D> &d) {
     return d.spread_x();
   });
 }

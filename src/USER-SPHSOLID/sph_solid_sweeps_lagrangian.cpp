@@ -326,8 +326,7 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
 
 template <int D> void LagrangianSweeps<D>::find_switch(const NeighborRows &list)
 {
-  Base::sum_switch(list, at_rate(), [&](int k, const Motion<D> &d) {
-    (void) d;
+  Base::sum_switch(list, at_rate(), [&](int k, const Motion<D> &) {
     return load_spread<D>(&sep[k * D]);
   });
 }
