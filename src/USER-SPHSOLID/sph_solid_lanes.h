@@ -1,6 +1,7 @@
 /* ----------------------------------------------------------------------
-   What a pair needs, in vectors of four doubles: differences of motion,
-   tensors of a row, and products of the two, alike in two and three dimensions.
+   What a pair needs, in packs of blocks: differences of motion, tensors of a
+   row, and products of the two, alike in two and three dimensions.  A pack
+   has one block, or two for two pairs at a time (sph_solid_vector.h).
 
    In two dimensions one block holds a whole tensor, T = {xx, xy, yx, yy}, and a
    vector a takes part in products either "spread", {ax, ay, ax, ay}, or
@@ -25,12 +26,12 @@ namespace SPHSolid {
 
 template <int D> struct Several {
   static constexpr int N = (D == 2) ? 1 : 3;
-  Four block[N];
+  Pack block[N];
 
   static Several zero()
   {
     Several s;
-    for (int b = 0; b < N; b++) s.block[b] = Four(0.0);
+    for (int b = 0; b < N; b++) s.block[b] = Pack(0.0);
     return s;
   }
 };
@@ -42,52 +43,65 @@ template <int D> inline Several<D> operator+(const Several<D> &a, const Several<
   return s;
 }
 
-template <int D> inline Several<D> operator*(const Several<D> &a, Four factor)
+template <int D> inline Several<D> operator*(const Several<D> &a, Pack factor)
 {
   Several<D> s;
   for (int n = 0; n < Several<D>::N; n++) s.block[n] = a.block[n] * factor;
   return s;
 }
 
-template <int D> inline Several<D> load_tensor(const double *row)
+template <int D> inline Several<D> load_tensor(const Addresses &row)
 {
   Several<D> t;
-  for (int n = 0; n < Several<D>::N; n++) t.block[n] = load(row + n * LANES);
+  for (int n = 0; n < Several<D>::N; n++) t.block[n] = load(row + n * BLOCK);
   return t;
 }
 
-template <int D> inline void store_tensor(double *row, const Several<D> &t)
+// the same one in every block
+
+template <int D> inline Several<D> load_tensor(const double *row)
 {
-  for (int n = 0; n < Several<D>::N; n++) store(row + n * LANES, t.block[n]);
+  Several<D> t;
+  for (int n = 0; n < Several<D>::N; n++) t.block[n] = load_block(row + n * BLOCK);
+  return t;
+}
+
+template <int D> inline void store_tensor(const Addresses &row, const Several<D> &t)
+{
+  for (int n = 0; n < Several<D>::N; n++) store(row + n * BLOCK, t.block[n]);
 }
 
 // a vector in memory, D doubles
 
-template <int D> inline Several<D> load_spread(const double *a)
+template <int D> inline Several<D> load_spread(const Addresses &a)
 {
   if constexpr (D == 2)
     return {load_two_twice(a)};
-  else
-    return {Four(a[0]), Four(a[1]), Four(a[2])};
+  else if constexpr (BLOCKS == 1)
+    return {load_all(a), load_all(a + 1), load_all(a + 2)};
+  else {    // one load, shuffled
+    const Pack v = load(a);
+    return {shuffle<0, 0, 0, 0>(v), shuffle<1, 1, 1, 1>(v), shuffle<2, 2, 2, 2>(v)};
+  }
 }
 
-template <int D> inline Four times(const Several<D> &T, const Several<D> &g)
+template <int D> inline Pack times(const Several<D> &T, const Several<D> &g)
 {
-  Four s = T.block[0] * g.block[0];
+  Pack s = T.block[0] * g.block[0];
   for (int n = 1; n < Several<D>::N; n++) s = multiply_add(T.block[n], g.block[n], s);
   return s;
 }
 
 // result += T.g
 
-template <int D> inline void add_times(Four &result, const Several<D> &T, const Several<D> &g)
+template <int D> inline void add_times(Pack &result, const Several<D> &T, const Several<D> &g)
 {
   for (int n = 0; n < Several<D>::N; n++) result = multiply_add(T.block[n], g.block[n], result);
 }
 
 // result += a (x) g, a expanded
 
-template <int D> inline void add_outer(Several<D> &result, Four a, const Several<D> &g)
+template <int D> inline void add_outer(Several<D> &result, Pack a, const Several<D> &g)
 {
   for (int n = 0; n < Several<D>::N; n++)
     result.block[n] = multiply_add(a, g.block[n], result.block[n]);
@@ -100,9 +114,9 @@ template <int D> inline double contract(const Several<D> &a, const Several<D> &b
   return sum(times(a, b));
 }
 
-// component a of T.g from times(T, g), summed over pairs
+// component a of T.g from times(T, g), summed over pairs: in the first block
 
-template <int D> inline double folded(Four t, int a)
+template <int D> inline double folded(Pack t, int a)
 {
   return D == 2 ? t[2 * a] + t[2 * a + 1] : t[a];
 }
@@ -110,22 +124,27 @@ template <int D> inline double folded(Four t, int a)
 // a vector as products with spread vectors take it: {fx, fx, fy, fy}, in three dimensions
 // itself; from times(T, g), and from memory, D doubles and in three dimensions a 0
 
-template <int D> inline Four expanded(Four t)
+template <int D> inline Pack expanded(Pack t)
 {
   return D == 2 ? t + shuffle<1, 0, 3, 2>(t) : t;
 }
-template <int D> inline Four load_expanded(const double *a)
+template <int D> inline Pack load_expanded(const Addresses &a)
 {
-  return D == 2 ? Four(a[0], a[0], a[1], a[1]) : load(a);
+  if constexpr (D == 2) {
+    const Pack spread = load_two_twice(a);
+    return shuffle<0, 0, 1, 1>(spread);
+  } else
+    return load(a);
 }
 
-// tensors of four particles, one per lane
+// tensors of as many particles as there are lanes, one per lane: t[m] has those of particles
+// m, m + 4 in its blocks
 
-template <int D> inline Tensor<D, Four> lanes_of(const Several<D> *t)
+template <int D> inline Tensor<D, Pack> lanes_of(const Several<D> *t)
 {
-  Tensor<D, Four> out;
+  Tensor<D, Pack> out;
   for (int n = 0; n < Several<D>::N; n++) {
-    Four a = t[0].block[n], b = t[1].block[n], c = t[2].block[n], d = t[3].block[n];
+    Pack a = t[0].block[n], b = t[1].block[n], c = t[2].block[n], d = t[3].block[n];
     transpose(a, b, c, d);
     if constexpr (D == 2)
       out << a, b, c, d;
@@ -135,11 +154,11 @@ template <int D> inline Tensor<D, Four> lanes_of(const Several<D> *t)
   return out;
 }
 
-template <int D> inline void from_lanes(const Tensor<D, Four> &t, Several<D> *out)
+template <int D> inline void from_lanes(const Tensor<D, Pack> &t, Several<D> *out)
 {
   for (int n = 0; n < Several<D>::N; n++) {
-    Four a = D == 2 ? t(0, 0) : t(0, n), b = D == 2 ? t(0, 1) : t(1, n),
-         c = D == 2 ? t(1, 0) : t(D - 1, n), d = D == 2 ? t(1, 1) : Four(0.0);
+    Pack a = D == 2 ? t(0, 0) : t(0, n), b = D == 2 ? t(0, 1) : t(1, n),
+         c = D == 2 ? t(1, 0) : t(D - 1, n), d = D == 2 ? t(1, 1) : Pack(0.0);
     transpose(a, b, c, d);
     out[0].block[n] = a;
     out[1].block[n] = b;
@@ -148,44 +167,67 @@ template <int D> inline void from_lanes(const Tensor<D, Four> &t, Several<D> *ou
   }
 }
 
+// sums over the pairs of LANES particles, one after the other and each spread over the
+// blocks of a pack: t[m] becomes what lanes_of takes
+
+template <int D> inline void add_blocks(Several<D> *t)
+{
+  for (int m = 0; m < BLOCK; m++)
+    for (int n = 0; n < Several<D>::N; n++) {
+      Pack each[LANES];
+      for (int b = 0; b < BLOCKS; b++) each[b * BLOCK] = t[m + b * BLOCK].block[n];
+      t[m].block[n] = sums_of_blocks(each);
+    }
+}
+
 // position and velocity of a row, or differences of these
 
 template <int D> struct Motion;
 
 template <> struct Motion<2> {
-  Four xv;    // x, y, vx, vy
+  Pack xv;    // x, y, vx, vy
 
-  explicit Motion(const double *row = nullptr) : xv(row ? load(row) : Four(0.0)) {}
+  Motion() = default;
+  explicit Motion(const double *row) : xv(load_block(row)) {}
+  explicit Motion(const Addresses &row) : xv(load(row)) {}
   Motion operator-(const Motion &other) const
   {
     Motion d;
     d.xv = xv - other.xv;
     return d;
   }
-  // added to the position: D doubles
-  void move_by(const double *X) { xv += load_two(X); }
+  // added to the position: a vector in memory, and the same spread
+  void move_by(const Addresses &, const Several<2> &X)
+  {
+    xv += shuffle<0, 1, 4, 5>(X.block[0], Pack(0.0));
+  }
 
-  Four x() const { return xv; }    // the first two lanes
-  Four expanded_x() const { return shuffle<0, 0, 1, 1>(xv); }
-  Four expanded_v() const { return shuffle<2, 2, 3, 3>(xv); }
+  Pack x() const { return xv; }    // the first two lanes
+  Pack expanded_x() const { return shuffle<0, 0, 1, 1>(xv); }
+  Pack expanded_v() const { return shuffle<2, 2, 3, 3>(xv); }
   Several<2> spread_x() const { return {shuffle<0, 1, 0, 1>(xv)}; }
 
   // products with x, summed: over lanes 0 and 1 x.x, over the others v.x
-  Four products() const { return xv * shuffle<0, 1, 0, 1>(xv); }
-  static double v_dot_x(Four products) { return products[2] + products[3]; }
-  static void dots(const Motion *d, Four &xx, Four &vx)
+  Pack products() const { return xv * shuffle<0, 1, 0, 1>(xv); }
+  static double v_dot_x(Pack products)
+  {
+    const Pack s = sum_of_blocks(products);
+    return s[2] + s[3];
+  }
+  static void dots(const Motion *d, Pack &xx, Pack &vx)
   {
     half_sums(d[0].products(), d[1].products(), d[2].products(), d[3].products(), xx, vx);
   }
 };
 
 template <> struct Motion<3> {
-  Four position, velocity;
+  Pack position, velocity;
 
-  explicit Motion(const double *row = nullptr) :
-      position(row ? load(row) : Four(0.0)), velocity(row ? load(row + LANES) : Four(0.0))
+  Motion() = default;
+  explicit Motion(const double *row) : position(load_block(row)), velocity(load_block(row + BLOCK))
   {
   }
+  explicit Motion(const Addresses &row) : position(load(row)), velocity(load(row + BLOCK)) {}
   Motion operator-(const Motion &other) const
   {
     Motion d;
@@ -193,11 +235,12 @@ template <> struct Motion<3> {
     d.velocity = velocity - other.velocity;
     return d;
   }
-  void move_by(const double *X) { position += Four(X[0], X[1], X[2], 0.0); }
+  // the fourth lane of what lies in memory does not matter: it stays a lane of its own
+  void move_by(const Addresses &X, const Several<3> &) { position += load(X); }
 
-  Four x() const { return position; }
-  Four expanded_x() const { return position; }
-  Four expanded_v() const { return velocity; }
+  Pack x() const { return position; }
+  Pack expanded_x() const { return position; }
+  Pack expanded_v() const { return velocity; }
   Several<3> spread_x() const
   {
     return {shuffle<0, 0, 0, 0>(position), shuffle<1, 1, 1, 1>(position),
@@ -205,9 +248,9 @@ template <> struct Motion<3> {
   }
 
   // of v.x only
-  Four products() const { return velocity * position; }
-  static double v_dot_x(Four products) { return sum(products); }
-  static void dots(const Motion *d, Four &xx, Four &vx)
+  Pack products() const { return velocity * position; }
+  static double v_dot_x(Pack products) { return sum(products); }
+  static void dots(const Motion *d, Pack &xx, Pack &vx)
   {
     xx = sums(d[0].position * d[0].position, d[1].position * d[1].position,
               d[2].position * d[2].position, d[3].position * d[3].position);
@@ -215,25 +258,65 @@ template <> struct Motion<3> {
   }
 };
 
-// vectors of rows, D doubles and in three dimensions a 0: two rows in one block, or one
+// vectors of N rows, D doubles and in three dimensions a 0: two rows in a block, or one
 
 template <int D> struct Few {
-  static constexpr int N = (D == 2) ? 2 : 1;
+  static constexpr int EACH = (D == 2) ? 2 : 1;
+  static constexpr int N = EACH * BLOCKS;
 };
 
-template <int D> inline Four load_few(const double *first, const double *second)
+template <int D> inline Pack load_few(const double *rows, const int *j, int stride)
 {
-  return D == 2 ? Four(first[0], first[1], second[0], second[1]) : load(first);
+  auto row = [=](int n) {
+    return rows + static_cast<std::ptrdiff_t>(j[n]) * stride;
+  };
+#if defined(SPHSOLID_AVX512)
+  if constexpr (D == 2) {
+    auto two = [&](int n) {
+      return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(row(n))),
+                                  _mm_loadu_pd(row(n + 1)), 1);
+    };
+    return Pack(_mm512_insertf64x4(_mm512_castpd256_pd512(two(0)), two(2), 1));
+  }
+#endif
+  if constexpr (D == 2)
+    return pack_of([&](int n) {
+      return row(n / 2)[n % 2];
+    });
+  else
+    return load(Addresses(row(0), row(BLOCKS - 1)));
 }
 
-template <int D> inline Four weights_of_few(double first, double second)
+// N weights, each as often as its vector has lanes
+
+template <int D> inline Pack load_few_weights(const double *w)
 {
-  return D == 2 ? Four(first, first, second, second) : Four(first);
+#if defined(SPHSOLID_AVX512)
+  if constexpr (D == 2)
+    return Pack(_mm512_permutexvar_pd(_mm512_set_epi64(3, 3, 2, 2, 1, 1, 0, 0),
+                                      _mm512_castpd256_pd512(_mm256_loadu_pd(w))));
+#endif
+  if constexpr (D == 2)
+    return pack_of([&](int n) {
+      return w[n / 2];
+    });
+  else
+    return load_all(Addresses(w, w + BLOCKS - 1));
 }
 
-// component a of the sum over the rows of a block
+// a vector in all places
 
-template <int D> inline double few_summed(Four t, int a)
+template <int D> inline Pack load_few(const double *row)
+{
+  if constexpr (D == 2)
+    return load_two_twice(Addresses(row));
+  else
+    return load_block(row);
+}
+
+// component a of the sum over rows: in the first block
+
+template <int D> inline double few_summed(Pack t, int a)
 {
   return D == 2 ? t[a] + t[2 + a] : t[a];
 }

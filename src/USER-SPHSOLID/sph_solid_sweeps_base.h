@@ -132,27 +132,62 @@ template <int D> class SweepsBase : public Sweeps {
   }
   double retained_viscosity() const;
 
-  // four own particles at a time; at the end of a list the last one fills up
+  // as many own particles as there are lanes; at the end of a list the last one fills up
   struct Batch {
-    int i[LANES], n;
-    Batch(const NeighborRows &list, int first) : n(std::min(LANES, list.inum - first))
+    int i[LANES];
+    bool consecutive;    // they lie one after the other in arrays
+    Batch(const NeighborRows &list, int first)
     {
-      for (int m = 0; m < LANES; m++) i[m] = list.ilist[first + std::min(m, n - 1)];
+      const int last = list.inum - 1;
+      for (int m = 0; m < LANES; m++) i[m] = list.ilist[std::min(first + m, last)];
+      consecutive = true;
+      for (int m = 1; m < LANES; m++) consecutive = consecutive && i[m] == i[0] + m;
+    }
+    Pack load(const double *array) const
+    {
+      if (consecutive) return SPHSolid::load(array + i[0]);
+      return pack_of([&](int m) {
+        return array[i[m]];
+      });
+    }
+    void store(double *array, Pack v) const
+    {
+      if (consecutive)
+        SPHSolid::store(array + i[0], v);
+      else
+        for (int m = 0; m < LANES; m++) array[i[m]] = v[m];
+    }
+    // blocks of particles m and, with eight lanes, m + 4, m = 0 to 3, in an array of rows
+    Addresses rows(const double *array, int m, int stride) const
+    {
+      return Addresses(array, i + m, stride);
     }
   };
-  template <class F> static Four lanes(F value)
+  // value(type) of each particle
+  template <class F> static Pack of_types(const Particles &p, const Batch &batch, F value)
   {
-    return Four(value(0), value(1), value(2), value(3));
+    int t[LANES];
+    bool same = true;
+    for (int m = 0; m < LANES; m++) {
+      t[m] = p.type[batch.i[m]];
+      same = same && t[m] == t[0];
+    }
+    if (same) return Pack(value(t[0]));
+    return pack_of([&](int m) {
+      return value(t[m]);
+    });
   }
   struct Points {
-    PointState<D, Four> state;
-    PressureState<Four> eos;
-    Tensor<D, Four> sigma;    // Cauchy stress, tension positive
+    PointState<D, Pack> state;
+    PressureState<Pack> eos;
+    Tensor<D, Pack> sigma;    // Cauchy stress, tension positive
   };
-  Points update_points(const Particles &, const Batch &, const Tensor<D, Four> &L_mid, double dt);
-  void write_rows(const Batch &, const Points &, const Tensor<D, Four> &T, Four K, Four nsum);
-  void write_tensors(const Batch &, int at, const Tensor<D, Four> &);
-  static int unphysical(const Batch &, Four rho, Four others);
+  static void load_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
+  static void store_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
+  Points update_points(const Particles &, const Batch &, const Tensor<D, Pack> &L_mid, double dt);
+  void write_rows(const Batch &, const Points &, const Tensor<D, Pack> &T, Pack K, Pack nsum);
+  void write_tensors(const Batch &, int at, const Tensor<D, Pack> &);
+  static int unphysical(const Batch &, Pack rho, Pack others);
 
   // is the viscous force of every pair kept for heat?
   bool keeps_pairs() const
@@ -167,17 +202,28 @@ template <int D> class SweepsBase : public Sweeps {
   }
   double whole_pull(int i, int pair) const;
   void lonely_pairs(const Particles &, int i);
-  // call(weights, neighbors, da_i - da_j) for the nearest neighbors of i, block by block
+  // call(weights, neighbors, da_i - da_j) for the nearest neighbors of i, some at a time;
+  // behind the last one weights are 0
   template <class F> void each_few(int i, F call) const
   {
-    const double *di = &da[i * VECTOR];
-    const Four own = load_few<D>(di, di);
-    for (int k = 0; k < pairs.nearest[i]; k += Few<D>::N) {
-      const int at = pairs.first[i] + k;
-      const bool both = k + 1 < pairs.nearest[i];
-      const int j[2] = {pairs.j[at], pairs.j[both ? at + 1 : at]};
-      const Four w = weights_of_few<D>(near_weight[at], both ? near_weight[at + 1] : 0.0);
-      call(w, j, own - load_few<D>(&da[j[0] * VECTOR], &da[j[1] * VECTOR]));
+    const Pack own = load_few<D>(&da[i * VECTOR]);
+    const int first = pairs.first[i], end = first + pairs.nearest[i];
+    for (int k = first; k < end; k += Few<D>::N) {
+      const int *j = &pairs.j[k];
+      call(load_few_weights<D>(&near_weight[k]), j, own - load_few<D>(da.data(), j, VECTOR));
+    }
+  }
+  // correction weights of row i, m_wbar(k) being m_j Wbar of pairs k to k + LANES - 1
+  template <class F> void set_near_weights(int i, F m_wbar)
+  {
+    const Pack n_i(str(i)[Str::NSUM]);
+    const int first = pairs.first[i], end = first + pairs.nearest[i];
+    for (int k = first; k < end; k += LANES) {
+      const Pack n_j = pack_of([&](int m) {
+        return str(pairs.j[k + m])[Str::NSUM];
+      });
+      const Pack w = correction_weight(opt.weights, m_wbar(k), n_i, n_j);
+      store(&near_weight[k], where_positive(first_lanes(end - k), w, Pack(0.0)));
     }
   }
   double lonely_power(int i) const;
@@ -199,11 +245,11 @@ template <int D> class SweepsBase : public Sweeps {
   };
   virtual Power pair_power(int i) const = 0;
   double heat_correction(int i) const;
-  Four central_correction(int i);
-  Four near_force(int i, int pair, const Motion<D> &d) const;
+  Pack central_correction(int i);
+  Pack near_force(int i, int pair, const Motion<D> &d) const;
   template <class OfRow> void sum_virial(const NeighborRows &, double *six, OfRow of_row) const;
 
-  Four own_switch(const Tensor<D, Four> &L, Four c, Four h) const;
+  Pack own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const;
   template <class Along> void sum_switch(const NeighborRows &, int at_rate, Along along);
   virtual double switch_weight(int j) const = 0;    // times pairs.factor
 };
@@ -295,111 +341,130 @@ template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const d
 }
 
 /* ----------------------------------------------------------------------
-   constitutive update of four particles over dt with the velocity gradient in
-   the middle of the step; dt = 0: the state as it is
+   the deviatoric stress in LAMMPS's order, xx, yy, zz, xy, xz, yz: in two
+   dimensions one block has all of it, in three a second one begins at zz
 ------------------------------------------------------------------------- */
 
 template <int D>
-typename SweepsBase<D>::Points SweepsBase<D>::update_points(const Particles &p, const Batch &four,
-                                                            const Tensor<D, Four> &L_mid, double dt)
+void SweepsBase<D>::load_deviator(const Particles &p, const Batch &batch,
+                                  PointState<D, Pack> &state)
 {
-  const int *i = four.i, *type = p.type;
-  Points points;
-  PointState<D, Four> &state = points.state;
-  state.rho = lanes([&](int m) {
-    return p.rho[i[m]];
-  });
-  state.epl = lanes([&](int m) {
-    return p.epl[i[m]];
-  });
-  state.Szz = lanes([&](int m) {
-    return p.stress[i[m]][2];
-  });
+  auto columns = [&](int at, Pack *c) {
+    for (int m = 0; m < BLOCK; m++) c[m] = load(Addresses(p.stress, batch.i + m) + at);
+    transpose(c[0], c[1], c[2], c[3]);
+  };
+  Pack c[BLOCK];
+  columns(0, c);
+  state.S(0, 0) = c[0];
+  state.S(1, 1) = c[1];
+  state.S(0, 1) = state.S(1, 0) = c[3];
+  if constexpr (D == 2)
+    state.Szz = c[2];
+  else {
+    state.S(2, 2) = c[2];
+    columns(2, c);
+    state.S(0, 2) = state.S(2, 0) = c[2];
+    state.S(1, 2) = state.S(2, 1) = c[3];
+  }
+}
+
+// of the two numbers that S has for a shear stress, the one above the diagonal is kept, as a
+// restart file has it
+
+template <int D>
+void SweepsBase<D>::store_deviator(const Particles &p, const Batch &batch,
+                                   PointState<D, Pack> &state)
+{
   for (int a = 0; a < D; a++)
-    for (int b = a; b < D; b++)
-      state.S(a, b) = state.S(b, a) = lanes([&](int m) {
-        return p.stress[i[m]][VOIGT[a][b]];
-      });
-  const Four mass = lanes([&](int m) {
-    return p.mass[i[m]];
-  });
+    for (int b = 0; b < a; b++) state.S(a, b) = state.S(b, a);
+  auto store_columns = [&](int at, Pack a, Pack b, Pack c, Pack d) {
+    transpose(a, b, c, d);
+    const Pack rows[BLOCK] = {a, b, c, d};
+    for (int m = 0; m < BLOCK; m++) store(Addresses(p.stress, batch.i + m) + at, rows[m]);
+  };
+  if constexpr (D == 2)
+    store_columns(0, state.S(0, 0), state.S(1, 1), state.Szz, state.S(0, 1));
+  else {
+    store_columns(0, state.S(0, 0), state.S(1, 1), state.S(2, 2), state.S(0, 1));
+    store_columns(2, state.S(2, 2), state.S(0, 1), state.S(0, 2), state.S(1, 2));
+  }
+}
+
+/* ----------------------------------------------------------------------
+   constitutive update of a batch over dt with the velocity gradient in the
+   middle of the step; dt = 0: the state as it is
+------------------------------------------------------------------------- */
+
+template <int D>
+typename SweepsBase<D>::Points SweepsBase<D>::update_points(const Particles &p, const Batch &batch,
+                                                            const Tensor<D, Pack> &L_mid, double dt)
+{
+  auto of = [&](const auto &list, auto member) {
+    return of_types(p, batch, [&](int t) {
+      return list[t].*member;
+    });
+  };
+  Points points;
+  PointState<D, Pack> &state = points.state;
+  state.rho = batch.load(p.rho);
+  load_deviator(p, batch, state);
+  const Pack mass = batch.load(p.mass);
 
   if (dt > 0.0) {
-    const Resistance<Four> r = {lanes([&](int m) {
-                                  return resistances[type[i[m]]].shear;
-                                }),
-                                lanes([&](int m) {
-                                  return resistances[type[i[m]]].Y;
-                                }),
-                                lanes([&](int m) {
-                                  return resistances[type[i[m]]].H;
-                                })};
-    Four plastic = advance<D, Four>(r, state, L_mid, dt);
+    using R = Resistance<>;
+    const Resistance<Pack> r = {of(resistances, &R::shear), of(resistances, &R::Y),
+                                of(resistances, &R::H)};
+    state.epl = batch.load(p.epl);
+    Pack plastic = advance<D, Pack>(r, state, L_mid, dt);
     plastic *= mass / state.rho;
-    for (int m = 0; m < four.n; m++) {
-      work[i[m]] = plastic[m];
-      p.rho[i[m]] = state.rho[m];
-      p.epl[i[m]] = state.epl[m];
-      double *stress = p.stress[i[m]];
-      for (int a = 0; a < D; a++)
-        for (int b = a; b < D; b++) stress[VOIGT[a][b]] = state.S(a, b)[m];
-      if (D == 2) stress[2] = state.Szz[m];
-    }
-    for (int a = 0; a < D; a++)    // as a restart file has it
-      for (int b = 0; b < a; b++) state.S(a, b) = state.S(b, a);
+    batch.store(work.data(), plastic);
+    batch.store(p.rho, state.rho);
+    batch.store(p.epl, state.epl);
+    store_deviator(p, batch, state);
   } else
-    for (int m = 0; m < four.n; m++) work[i[m]] = 0.0;
+    batch.store(work.data(), Pack(0.0));
 
-  const Compression<Four> k = {lanes([&](int m) {
-                                 return compressions[type[i[m]]].a0;
-                               }),
-                               lanes([&](int m) {
-                                 return compressions[type[i[m]]].b0;
-                               }),
-                               lanes([&](int m) {
-                                 return compressions[type[i[m]]].c0;
-                               }),
-                               lanes([&](int m) {
-                                 return compressions[type[i[m]]].Gamma;
-                               })};
-  const Four rho_ref = mass / lanes([&](int m) {
-                         return p.volume[i[m]];
-                       });
-  points.eos = pressure(k, state.rho, rho_ref, lanes([&](int m) {
-                          return p.e[i[m]];
-                        }));
-  points.sigma = state.S - points.eos.P * Tensor<D, Four>::Identity();
+  using C = Compression<>;
+  const Compression<Pack> k = {of(compressions, &C::a0), of(compressions, &C::b0),
+                               of(compressions, &C::c0), of(compressions, &C::Gamma)};
+  points.eos = pressure(k, state.rho, mass / batch.load(p.volume), batch.load(p.e));
+  points.sigma = state.S - points.eos.P * Tensor<D, Pack>::Identity();
   return points;
 }
 
 template <int D>
-void SweepsBase<D>::write_rows(const Batch &four, const Points &points, const Tensor<D, Four> &T,
-                               Four K, Four nsum)
+void SweepsBase<D>::write_rows(const Batch &batch, const Points &points, const Tensor<D, Pack> &T,
+                               Pack K, Pack nsum)
 {
-  write_tensors(four, Str::T, T);
-  Four rho = points.state.rho, c = square_root(maximum(points.eos.c2, Four(0.0)));
+  write_tensors(batch, Str::T, T);
+  Pack rho = points.state.rho, c = square_root(maximum(points.eos.c2, Pack(0.0)));
   transpose(K, rho, c, nsum);
-  const Four state[LANES] = {K, rho, c, nsum};
-  for (int m = 0; m < four.n; m++) store(str(four.i[m]) + Str::K, state[m]);
+  const Pack state[BLOCK] = {K, rho, c, nsum};
+  for (int m = 0; m < BLOCK; m++)
+    store(batch.rows(srow.data(), m, stress_stride) + Str::K, state[m]);
 }
 
 // one tensor of the rows
 
 template <int D>
-void SweepsBase<D>::write_tensors(const Batch &four, int at, const Tensor<D, Four> &t)
+void SweepsBase<D>::write_tensors(const Batch &batch, int at, const Tensor<D, Pack> &t)
 {
-  Several<D> rows[LANES];
+  Several<D> rows[BLOCK];
   from_lanes<D>(t, rows);
-  for (int m = 0; m < four.n; m++) store_tensor(str(four.i[m]) + at, rows[m]);
+  for (int m = 0; m < BLOCK; m++)
+    store_tensor(batch.rows(srow.data(), m, stress_stride) + at, rows[m]);
 }
 
 // a particle whose density is not positive, or another number of whom is not
 // finite; or -1
 
-template <int D> int SweepsBase<D>::unphysical(const Batch &four, Four rho, Four others)
+template <int D> int SweepsBase<D>::unphysical(const Batch &batch, Pack rho, Pack others)
 {
-  for (int m = 0; m < four.n; m++)
-    if (!(rho[m] > 0.0) || !std::isfinite(rho[m] + others[m])) return four.i[m];
+  // sum - sum is 0 or not a number
+  const Pack sum = rho + others, finite = where_positive(1.0 + (sum - sum), Pack(1.0), Pack(-1.0));
+  if (least(where_positive(rho, finite, Pack(-1.0))) > 0.0) return -1;
+  for (int m = 0; m < LANES; m++)
+    if (!(rho[m] > 0.0) || !std::isfinite(sum[m])) return batch.i[m];
   return -1;
 }
 

@@ -52,17 +52,17 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
 
   std::vector<double> crowd;    // of every pair, with artificial stress: (W/W(spacing))^n
 
-  // of four particles
+  // of a batch
   struct Sums {
     Several<D> moment[LANES], velocity[LANES];    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
-    Four nsum = 0.0;                              // sum m_j Wbar
+    double nsum[LANES];                           // sum m_j Wbar
   };
   struct Scratch;
   void gather(int i, int n, const int *list, Scratch &) const;
   void find_pairs(int i, const NeighborRows &, Scratch &);
   void accumulate(int i, Sums &, int lane);
-  int update(const Particles &, const typename Base::Batch &, const Sums &, double dt);
-  Tensor<D, Four> tension_stress(const Tensor<D, Four> &) const;
+  int update(const Particles &, const typename Base::Batch &, Sums &, double dt);
+  Tensor<D, Pack> tension_stress(const Tensor<D, Pack> &) const;
   int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
   template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
   template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
@@ -143,46 +143,39 @@ template <int D> void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &l
   pairs.nearest[i] = needs_correction() ? s.nnear : 0;
 }
 
-// 1 in the lanes that are less than n
-
-inline Four first_lanes(int n)
-{
-  return Four(n > 0 ? 1.0 : 0.0, n > 1 ? 1.0 : 0.0, n > 2 ? 1.0 : 0.0, n > 3 ? 1.0 : 0.0);
-}
-
 // sums over the pairs of one particle; grad_i W = F (x_i - x_j)
 
 template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
 {
-  const double *kall = krow.data(), *ki = kin(i);
+  const double *ki = kin(i);
   const Motion<D> own(ki);
   const int start = pairs.first[i];
   Several<D> moment = Several<D>::zero(), velocity = moment;
-  Four nsum = 0.0;
+  Pack nsum = 0.0;
 
   for (int k = 0; k < pairs.count[i]; k += LANES) {
-    Motion<D> d[LANES];
-    Four inertia[LANES];
-    for (int m = 0; m < LANES; m++) {
-      const double *kj = kall + static_cast<std::int64_t>(pairs.j[start + k + m]) * Kin::STRIDE;
+    Motion<D> d[BLOCK];
+    Pack inertia[BLOCK];
+    for (int m = 0; m < BLOCK; m++) {
+      const Addresses kj(krow.data(), &pairs.j[start + k + m], Kin::STRIDE);
       d[m] = own - Motion<D>(kj);
       inertia[m] = load(kj + Kin::MASS);
     }
-    Four r2, vr;
+    Pack r2, vr;
     Motion<D>::dots(d, r2, vr);
     transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
-    const Four r = square_root(r2), h = 0.5 * (ki[Kin::H] + inertia[2]);
-    Four F = CubicSpline<D>::gradient_factor(r, h);
+    const Pack r = square_root(r2), h = 0.5 * (ki[Kin::H] + inertia[2]);
+    Pack F = CubicSpline<D>::gradient_factor(r, h);
     if (k + LANES > pairs.count[i]) F *= first_lanes(pairs.count[i] - k);
     store(&pairs.factor[start + k], F);
-    const Four w = -(inertia[1] * F);
-    for (int m = 0; m < LANES; m++) {
-      const Several<D> g = d[m].spread_x() * Four(w[m]);
+    const Spread w(-(inertia[1] * F));
+    for (int m = 0; m < BLOCK; m++) {
+      const Several<D> g = d[m].spread_x() * w[m];
       add_outer(moment, d[m].expanded_x(), g);
       add_outer(velocity, d[m].expanded_v(), g);
     }
     if (k < pairs.nearest[i]) {
-      const Four m_wbar = Base::wbar_mass(r, inertia[0], Four(ki[Kin::NEAR]), inertia[3]) *
+      const Pack m_wbar = Base::wbar_mass(r, inertia[0], Pack(ki[Kin::NEAR]), inertia[3]) *
           first_lanes(pairs.nearest[i] - k);
       store(&near_weight[start + k], m_wbar);
       nsum += m_wbar;
@@ -190,7 +183,7 @@ template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
   }
   sums.moment[lane] = moment;
   sums.velocity[lane] = velocity;
-  sums.nsum.set(lane, sum(nsum));
+  sums.nsum[lane] = sum(nsum);
 }
 
 template <int D>
@@ -206,13 +199,13 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
 #pragma omp for schedule(static)
 #endif
     for (int first = 0; first < list.inum; first += LANES) {
-      const typename Base::Batch four(list, first);
+      const typename Base::Batch batch(list, first);
       Sums sums;
       for (int m = 0; m < LANES; m++) {
-        if (m < four.n) find_pairs(four.i[m], list, s);
-        accumulate(four.i[m], sums, m);
+        if (first + m < list.inum) find_pairs(batch.i[m], list, s);
+        accumulate(batch.i[m], sums, m);
       }
-      const int unphysical = update(p, four, sums, dt);
+      const int unphysical = update(p, batch, sums, dt);
       if (unphysical >= 0) bad = unphysical;
     }
   }
@@ -220,19 +213,21 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
   return bad;
 }
 
-// constitutive update of four particles and what their neighbors read; the
+// constitutive update of a batch and what their neighbors read; the
 // index of one whose state is not physical, or -1
 
 template <int D>
-int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &four,
-                              const Sums &sums, double dt)
+int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, Sums &sums,
+                              double dt)
 {
-  using Tensors = Tensor<D, Four>;
+  using Tensors = Tensor<D, Pack>;
   const PairForm form = pair_form(opt.viscosity);
+  add_blocks<D>(sums.moment);
+  add_blocks<D>(sums.velocity);
   const Tensors moment = lanes_of<D>(sums.moment), velocity = lanes_of<D>(sums.velocity);
   Tensors B = Tensors::Identity(), exact = B;    // exact: for linear fields
   if (opt.corrected || needs_rates(form) || needs_switch(form)) {
-    const Four enough = moment.determinant() - DET_FALLBACK;
+    const Pack enough = moment.determinant() - DET_FALLBACK;
     const Tensors inverse = moment.inverse();
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) exact(a, b) = where_positive(enough, inverse(a, b), exact(a, b));
@@ -241,42 +236,44 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &fo
   // what tells a linear field from a jump needs the exact one, with gradient plain too
   const Tensors rate = velocity * exact;
   Tensors L = Tensors::Zero();
-  if (dt > 0.0) L = midpoint_velocity_gradient<D, Four>(opt.corrected ? rate : velocity, dt);
-  const auto points = Base::update_points(p, four, L, dt);
+  if (dt > 0.0) L = midpoint_velocity_gradient<D, Pack>(opt.corrected ? rate : velocity, dt);
+  const auto points = Base::update_points(p, batch, L, dt);
 
-  const Four rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
-  const Four mass = Base::lanes([&](int m) {
-    return p.mass[four.i[m]];
-  });
+  const Pack rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
+  const Pack mass = batch.load(p.mass);
   auto weighted = [&](const Tensors &sigma) {
     return opt.corrected ? Tensors(sigma * B.transpose()) : Tensors(sigma * inv_rho2);
   };
-  Four last = sums.nsum;
+  Pack last = load(sums.nsum);
   if (needs_switch(form))
-    last = Base::own_switch(rate, square_root(maximum(points.eos.c2, Four(0.0))),
-                            Base::lanes([&](int m) {
-                              return types[p.type[four.i[m]]].h;
+    last = Base::own_switch(rate, square_root(maximum(points.eos.c2, Pack(0.0))),
+                            Base::of_types(p, batch, [&](int t) {
+                              return types[t].h;
                             }));
-  Base::write_rows(four, points, weighted(points.sigma), opt.corrected ? mass / rho : mass, last);
-  if (needs_rates(form)) Base::write_tensors(four, at_rate(), rate);
-  if (opt.tensile) Base::write_tensors(four, extra(0), weighted(tension_stress(points.sigma)));
-  return Base::unphysical(four, rho, points.eos.P + points.state.S.sum() + moment.sum());
+  Base::write_rows(batch, points, weighted(points.sigma), opt.corrected ? mass / rho : mass, last);
+  if (needs_rates(form)) Base::write_tensors(batch, at_rate(), rate);
+  if (opt.tensile) Base::write_tensors(batch, extra(0), weighted(tension_stress(points.sigma)));
+  return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + moment.sum());
 }
 
-// artificial stress of four particles, one after the other: eigenvalues
+// artificial stress of a batch, one particle after the other: eigenvalues
 
 template <int D>
-Tensor<D, Four> EulerianSweeps<D>::tension_stress(const Tensor<D, Four> &sigma) const
+Tensor<D, Pack> EulerianSweeps<D>::tension_stress(const Tensor<D, Pack> &sigma) const
 {
-  Tensor<D, Four> out;
+  Tensor<D> R[LANES];
   for (int m = 0; m < LANES; m++) {
-    const Tensor<D> one = sigma.unaryExpr([m](const Four &lane) {
+    const Tensor<D> one = sigma.unaryExpr([m](const Pack &lane) {
       return lane[m];
     });
-    const Tensor<D> R = artificial_stress<D>(one, opt.tensile_eps);
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) out(a, b).set(m, R(a, b));
+    R[m] = artificial_stress<D>(one, opt.tensile_eps);
   }
+  Tensor<D, Pack> out;
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++)
+      out(a, b) = pack_of([&](int m) {
+        return R[m](a, b);
+      });
   return out;
 }
 
@@ -323,64 +320,70 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, RATES = needs_rates(FORM);
   const int r_at = at_rate();
-  const double *kall = krow.data(), *sall = srow.data(), *ki = kin(i), *si = str(i);
+  const double *ki = kin(i), *si = str(i);
   const Motion<D> own(ki);
   const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + extra(0) : si),
                    rate = load_tensor<D>(RATES ? si + r_at : si);
   const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
-  const Four zero = Four(0.0), ok_i = Four(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
-  Four stress = zero, viscous = zero, mu_least = zero;
+  const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
+  Pack stress = zero, viscous = zero, mu_least = zero;
 
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
-    Motion<D> d[LANES];
-    Four state[LANES], inertia[LANES], tensile[LANES], l_i[LANES], l_j[LANES];
-    for (int m = 0; m < LANES; m++) {
-      const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
-      const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
+    Motion<D> d[BLOCK];
+    Pack state[BLOCK], inertia[BLOCK], tensile[BLOCK], l_i[BLOCK], l_j[BLOCK];
+    const Pack F = load(&pairs.factor[k]);
+    const Spread factor(F);
+    for (int m = 0; m < BLOCK; m++) {
+      const Addresses kj(krow.data(), &pairs.j[k + m], Kin::STRIDE),
+          sj(srow.data(), &pairs.j[k + m], stress_stride);
       d[m] = own - Motion<D>(kj);
-      const Several<D> g = d[m].spread_x() * Four(sj[Str::K] * pairs.factor[k + m]);
+      state[m] = load(sj + Str::K);
+      const Several<D> g = d[m].spread_x() * (shuffle<0, 0, 0, 0>(state[m]) * factor[m]);
       add_times<D>(stress, T + load_tensor<D>(sj), g);
       if (TENSILE) tensile[m] = times(R + load_tensor<D>(sj + extra(0)), g);
-      inertia[m] = load(kj + Kin::MASS);
-      if (VISCOUS) state[m] = load(sj + Str::K);
+      if (VISCOUS || TENSILE) inertia[m] = load(kj + Kin::MASS);
       if (RATES) {
-        const Four x = d[m].expanded_x();
+        const Pack x = d[m].expanded_x();
         l_i[m] = x * times(rate, d[m].spread_x());
         l_j[m] = x * times(load_tensor<D>(sj + r_at), d[m].spread_x());
       }
     }
     if (!VISCOUS && !TENSILE) continue;
 
-    Four r2, vr;
+    Pack r2, vr;
     Motion<D>::dots(d, r2, vr);
     transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
-    const Four h = 0.5 * (ki[Kin::H] + inertia[2]);
+    const Pack h = 0.5 * (ki[Kin::H] + inertia[2]);
     if (TENSILE) {
-      const Four spacing = (0.5 / opt.hbar) * (ki[Kin::NEAR] + inertia[3]);
-      const Four fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
+      const Pack spacing = (0.5 / opt.hbar) * (ki[Kin::NEAR] + inertia[3]);
+      const Pack fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
       store(&crowd[k], fn);
-      for (int m = 0; m < LANES; m++) stress = multiply_add(Four(fn[m]), tensile[m], stress);
+      const Spread each(fn);
+      for (int m = 0; m < BLOCK; m++) stress = multiply_add(each[m], tensile[m], stress);
     }
     if (VISCOUS) {
       transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
-      const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
-      const Four on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Four(1.0);
+      const Pack rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
+      const Pack on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Pack(1.0);
       if (RATES)
         vr = jump_left<FORM>(vr, sums(l_i[0], l_i[1], l_i[2], l_i[3]),
                              sums(l_j[0], l_j[1], l_j[2], l_j[3]), on);
-      const Four mu = approach_rate(vr, r2, h);
-      Four q = inertia[0] * monaghan_pi(opt.a1, opt.a2, c, rho, mu) * load(&pairs.factor[k]);
+      const Pack mu = approach_rate(vr, r2, h);
+      Pack q = inertia[0] * monaghan_pi(opt.a1, opt.a2, c, rho, mu) * F;
       if (FORM == PairForm::SWITCHED) q *= on;
       if (keep) store(&pull[k], q);    // m_j Pi_ij F_ij
       if (correct) q = where_positive(state[3], ok_i * q, zero);
-      for (int m = 0; m < LANES; m++) viscous = multiply_add(Four(-q[m]), d[m].x(), viscous);
+      const Spread each(-q);
+      for (int m = 0; m < BLOCK; m++) viscous = multiply_add(each[m], d[m].x(), viscous);
       mu_least = minimum(mu_least, mu);
     }
   }
 
   const double K = si[Str::K], mass = ki[Kin::MASS];
+  stress = sum_of_blocks(stress);
+  viscous = sum_of_blocks(viscous);
   for (int a = 0; a < D; a++) {
     p.f[i][a] += K * folded<D>(stress, a);
     if (VISCOUS && correct)
@@ -395,9 +398,9 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
 
 template <int D> void EulerianSweeps<D>::near_weights(int i)
 {
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++)
-    near_weight[k] = correction_weight(opt.weights, near_weight[k], str(i)[Str::NSUM],
-                                       str(pairs.j[k])[Str::NSUM]);
+  Base::set_near_weights(i, [&](int k) {
+    return load(&near_weight[k]);
+  });
 }
 
 /* ----------------------------------------------------------------------
@@ -418,18 +421,23 @@ template <int D>
 template <bool PULL, bool TENSILE>
 typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
-  const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
+  const double *si = str(i);
   const Motion<D> own(kin(i));
   Several<D> gradient = Several<D>::zero(), crowded = gradient;
-  Four viscous = Four(0.0);
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const std::int64_t j = pairs.j[k];
-    const Motion<D> d = own - Motion<D>(kall + j * Kin::STRIDE);
-    const double K_j = sall[j * stress_stride + Str::K];
-    const Several<D> g = d.spread_x() * Four(-K_j * pairs.factor[k]);
-    add_outer(gradient, d.expanded_v(), g);
-    if (TENSILE) add_outer(crowded, d.expanded_v(), g * Four(crowd[k]));
-    if (PULL) viscous = multiply_add(Four(pull[k]), d.products(), viscous);
+  Pack viscous(0.0);
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+    const int *j = &pairs.j[k];
+    const Spread factor(-load(&pairs.factor[k])),
+        tensile(load(TENSILE ? &crowd[k] : &pairs.factor[k])),
+        pulled(load(PULL ? &pull[k] : &pairs.factor[k]));
+    for (int m = 0; m < BLOCK; m++) {
+      const Motion<D> d = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
+      const Pack K_j = load_all(Addresses(srow.data(), j + m, stress_stride) + Str::K);
+      const Several<D> g = d.spread_x() * (K_j * factor[m]);
+      add_outer(gradient, d.expanded_v(), g);
+      if (TENSILE) add_outer(crowded, d.expanded_v(), g * tensile[m]);
+      if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
+    }
   }
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + extra(0)));
@@ -449,9 +457,9 @@ void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, doub
     return [=](int k, const Motion<D> &d) {
       const double *sj = sall + static_cast<std::int64_t>(neighbor[k]) * stride;
       Several<D> sum = T + load_tensor<D>(sj);
-      if (crowding) sum = sum + (R + load_tensor<D>(sj + extra(0))) * Four(crowding[k]);
-      const Several<D> g = d.spread_x() * Four(K * sj[Str::K] * factor[k]);
-      return expanded<D>(times(sum, g)) - Four(pulls ? whole_pull(i, k) : 0.0) * d.expanded_x();
+      if (crowding) sum = sum + (R + load_tensor<D>(sj + extra(0))) * Pack(crowding[k]);
+      const Several<D> g = d.spread_x() * Pack(K * sj[Str::K] * factor[k]);
+      return expanded<D>(times(sum, g)) - Pack(pulls ? whole_pull(i, k) : 0.0) * d.expanded_x();
     };
   });
 }

@@ -93,6 +93,12 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   int add_pairs(const Particles &, int i, int n, const int *list, bool nearest, int at);
   void fill_vectors(int i);
   void correct_row(const Particles &, int i);
+  // X_ij of pairs k and, with eight lanes, k + 4
+  Addresses separations(int k) const
+  {
+    const int at[] = {k, 0, 0, 0, k + BLOCK};
+    return Addresses(sep.data(), at, D);
+  }
   // one of own particles' tensors
   static constexpr int TENSOR = Blocks<D>::TENSOR;
   static Tensor<D> tensor(const Rows &rows, int i)
@@ -103,10 +109,11 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
     return t;
   }
 
+  // of a batch: sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
   struct Sums {
-    Several<D> displacement, velocity;    // sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
+    Several<D> displacement[LANES], velocity[LANES];
   };
-  Sums accumulate(int i) const;
+  void accumulate(int i, Sums &, int lane) const;
   int update(const Particles &, const typename Base::Batch &, double dt);
   template <PairForm FORM, bool HOURGLASS> void force_row(const Particles &, int i);
   template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
@@ -173,7 +180,7 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   Base::find_image_candidates(p, list, p.xref, reach);
   Base::size_rows(p, list);
   const std::size_t n = pairs.j.size();
-  sep.resize(n * D);
+  sep.resize(n * D + 1);    // the last one is read as four numbers
   if (opt.hourglass > 0.0) damp.resize(n);
   nearness.resize(n);
   B.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
@@ -233,21 +240,24 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
    gradient sweep
 ------------------------------------------------------------------------- */
 
-template <int D> typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int i) const
+template <int D> void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
 {
-  const double *kall = krow.data();
   const Motion<D> own(kin(i));
   Several<D> displacement = Several<D>::zero(), velocity = Several<D>::zero();
 
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const double *X = &sep[k * D];
-    const Several<D> g = load_spread<D>(X) * Four(pairs.factor[k]);    // V0_j g_ij
-    Motion<D> d = Motion<D>(kall + static_cast<std::int64_t>(pairs.j[k]) * Kin::STRIDE) - own;
-    d.move_by(X);    // x_j - x_i + X_i - X_j = u_j - u_i
-    add_outer(displacement, d.expanded_x(), g);
-    add_outer(velocity, d.expanded_v(), g);
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+    const Spread factor(load(&pairs.factor[k]));
+    for (int m = 0; m < BLOCK; m++) {
+      const Addresses X = separations(k + m);
+      const Several<D> spread = load_spread<D>(X), g = spread * factor[m];    // V0_j g_ij
+      Motion<D> d = Motion<D>(Addresses(krow.data(), &pairs.j[k + m], Kin::STRIDE)) - own;
+      d.move_by(X, spread);    // x_j - x_i + X_i - X_j = u_j - u_i
+      add_outer(displacement, d.expanded_x(), g);
+      add_outer(velocity, d.expanded_v(), g);
+    }
   }
-  return {displacement, velocity};
+  sums.displacement[lane] = displacement;
+  sums.velocity[lane] = velocity;
 }
 
 template <int D>
@@ -265,69 +275,56 @@ int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, 
   return bad;
 }
 
-// constitutive update of four particles and what their neighbors read; the
+// constitutive update of a batch and what their neighbors read; the
 // index of one whose state is not physical, or -1
 
 template <int D>
-int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &four, double dt)
+int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, double dt)
 {
-  Several<D> displacement[LANES], velocity[LANES], own[LANES];
-  for (int m = 0; m < LANES; m++) {
-    const Sums sums = accumulate(four.i[m]);
-    displacement[m] = sums.displacement;
-    velocity[m] = sums.velocity;
-    own[m] = load_tensor<D>(&B[four.i[m] * TENSOR]);
-  }
-  using Tensors = Tensor<D, Four>;
+  Sums sums;
+  for (int m = 0; m < LANES; m++) accumulate(batch.i[m], sums, m);
+  add_blocks<D>(sums.displacement);
+  add_blocks<D>(sums.velocity);
+  Several<D> own[BLOCK];
+  for (int m = 0; m < BLOCK; m++) own[m] = load_tensor<D>(batch.rows(B.data(), m, TENSOR));
+
+  using Tensors = Tensor<D, Pack>;
   const Tensors correction = lanes_of<D>(own);
-  const Tensors Fi = Tensors::Identity() + lanes_of<D>(displacement) * correction;
-  const Tensors rate = lanes_of<D>(velocity) * correction;
+  const Tensors Fi = Tensors::Identity() + lanes_of<D>(sums.displacement) * correction;
+  const Tensors rate = lanes_of<D>(sums.velocity) * correction;
   from_lanes<D>(Fi, own);
-  for (int m = 0; m < four.n; m++) store_tensor(&F[four.i[m] * TENSOR], own[m]);
+  for (int m = 0; m < BLOCK; m++) store_tensor(batch.rows(F.data(), m, TENSOR), own[m]);
 
   Tensors L = Tensors::Zero();
-  if (dt > 0.0) L = rate * Tensors(Fi - Four(0.5 * dt) * rate).inverse();
-  const auto points = Base::update_points(p, four, L, dt);
+  if (dt > 0.0) L = rate * Tensors(Fi - Pack(0.5 * dt) * rate).inverse();
+  const auto points = Base::update_points(p, batch, L, dt);
 
-  auto lanes = [&](auto value) {
-    return Base::lanes([&](int m) {
-      return value(four.i[m]);
-    });
-  };
-  const Four rho = points.state.rho;
-  const Four J = lanes([&](int i) {
-                   return p.mass[i];
-                 }) /
-      (rho * lanes([&](int i) {
-                   return p.vref[i];
-                 }));
+  const Pack rho = points.state.rho, J = batch.load(p.mass) / (rho * batch.load(p.vref));
   const Tensors inverse = Fi.inverse(), C = J * inverse.transpose() * correction.transpose();
-  const Four h = lanes([&](int i) {
-    return types[p.type[i]].h;
+  const Pack h = Base::of_types(p, batch, [&](int t) {
+    return types[t].h;
   });
-  Four impedance = 0.0;
+  Pack impedance = 0.0;
   if (keeps_rates(opt)) {
-    const Four shear = lanes([&](int i) {
-      return types[p.type[i]].material.shear;
+    const Pack shear = Base::of_types(p, batch, [&](int t) {
+      return types[t].material.shear;
     });
     impedance =
-        rho * h * square_root(maximum(points.eos.c2, Four(0.0)) + 4.0 * shear / (3.0 * rho));
+        rho * h * square_root(maximum(points.eos.c2, Pack(0.0)) + 4.0 * shear / (3.0 * rho));
   }
-  Four last = lanes([&](int i) {
-    return nsum[i];
-  });
+  Pack last = batch.load(nsum.data());
   if (needs_switch(pair_form(opt.viscosity)))
-    last = Base::own_switch(rate * inverse, square_root(maximum(points.eos.c2, Four(0.0))), h);
-  Base::write_rows(four, points, points.sigma * C, impedance, last);
-  if (viscous()) Base::write_tensors(four, at_C(), C);
-  if (keeps_rates(opt)) Base::write_tensors(four, at_rate(), rate);
-  return Base::unphysical(four, rho, points.eos.P + points.state.S.sum() + C.sum());
+    last = Base::own_switch(rate * inverse, square_root(maximum(points.eos.c2, Pack(0.0))), h);
+  Base::write_rows(batch, points, points.sigma * C, impedance, last);
+  if (viscous()) Base::write_tensors(batch, at_C(), C);
+  if (keeps_rates(opt)) Base::write_tensors(batch, at_rate(), rate);
+  return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
 }
 
 template <int D> void LagrangianSweeps<D>::find_switch(const NeighborRows &list)
 {
   Base::sum_switch(list, at_rate(), [&](int k, const Motion<D> &) {
-    return load_spread<D>(&sep[k * D]);
+    return load_spread<D>(separations(k));
   });
 }
 
@@ -372,7 +369,7 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
-  const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
+  const double *si = str(i);
   const int c_at = at_C(), r_at = at_rate();
   const Motion<D> own(kin(i));
   const Several<D> T = load_tensor<D>(si), C = load_tensor<D>(VISCOUS ? si + c_at : si),
@@ -380,20 +377,21 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
   const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
-  const Four zero = Four(0.0), ok_i = Four(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
-  Four stress = zero, viscous = zero, hourglass = zero, mu_least = zero;
+  const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
+  Pack stress = zero, viscous = zero, hourglass = zero, mu_least = zero;
 
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
-    Motion<D> d[LANES];
-    Four along[LANES], l_i[LANES], l_j[LANES], state[LANES];    // lanes yet to be summed
-    for (int m = 0; m < LANES; m++) {
-      const double *kj = kall + static_cast<std::int64_t>(pairs.j[k + m]) * Kin::STRIDE;
-      const double *sj = sall + static_cast<std::int64_t>(pairs.j[k + m]) * stress_stride;
-      const Several<D> X = load_spread<D>(&sep[(k + m) * D]), g = X * Four(pairs.factor[k + m]);
+    Motion<D> d[BLOCK];
+    Pack along[BLOCK], l_i[BLOCK], l_j[BLOCK], state[BLOCK];    // lanes yet to be summed
+    const Pack F = load(&pairs.factor[k]);
+    const Spread factor(F);
+    for (int m = 0; m < BLOCK; m++) {
+      const Addresses sj(srow.data(), &pairs.j[k + m], stress_stride);
+      const Several<D> X = load_spread<D>(separations(k + m)), g = X * factor[m];
       add_times<D>(stress, T + load_tensor<D>(sj), g);
       if (!VISCOUS && !HOURGLASS) continue;
-      d[m] = own - Motion<D>(kj);
-      const Four x = d[m].expanded_x();
+      d[m] = own - Motion<D>(Addresses(krow.data(), &pairs.j[k + m], Kin::STRIDE));
+      const Pack x = d[m].expanded_x();
       state[m] = load(sj + Str::K);
       if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + c_at), g);
       if (BOTH) {
@@ -404,36 +402,41 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
     }
     if (!VISCOUS && !HOURGLASS) continue;
 
-    Four r2, vr;
+    Pack r2, vr;
     Motion<D>::dots(d, r2, vr);
-    const Four inv_r2 = 1.0 / r2;
+    const Pack inv_r2 = 1.0 / r2;
     transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
-    Four li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
+    Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (RATES) li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
     if (BOTH) lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
     if (HOURGLASS) {
-      const Four impedance = 0.5 * opt.hourglass * (si[Str::K] + state[0]);
-      const Four s = impedance * load(&pairs.factor[k]) * (vr - 0.5 * (li + lj)) * inv_r2;
+      const Pack impedance = 0.5 * opt.hourglass * (si[Str::K] + state[0]);
+      const Pack s = impedance * F * (vr - 0.5 * (li + lj)) * inv_r2;
       store(&damp[k], s);
-      for (int m = 0; m < LANES; m++) hourglass = multiply_add(Four(s[m]), d[m].x(), hourglass);
+      const Spread each(s);
+      for (int m = 0; m < BLOCK; m++) hourglass = multiply_add(each[m], d[m].x(), hourglass);
     }
     if (VISCOUS) {
-      const Four on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Four(1.0);
+      const Pack on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Pack(1.0);
       vr = jump_left<FORM>(vr, li, lj, on);
-      const Four mu = minimum(vr, zero) * load(&nearness[k]) * square_root(r2) * inv_r2;
-      const Four rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
-      Four Pi = rho * mu * (opt.a2 * mu - opt.a1 * c);
+      const Pack mu = minimum(vr, zero) * load(&nearness[k]) * square_root(r2) * inv_r2;
+      const Pack rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
+      Pack Pi = rho * mu * (opt.a2 * mu - opt.a1 * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
-      const Four G = 0.5 * sums(along[0], along[1], along[2], along[3]);
-      Four s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
+      const Pack G = 0.5 * sums(along[0], along[1], along[2], along[3]);
+      Pack s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
       if (keep) store(&pull[k], s);
       if (correct) s = where_positive(state[3], ok_i * s, zero);
-      for (int m = 0; m < LANES; m++) viscous = multiply_add(Four(-s[m]), d[m].x(), viscous);
+      const Spread each(-s);
+      for (int m = 0; m < BLOCK; m++) viscous = multiply_add(each[m], d[m].x(), viscous);
       mu_least = minimum(mu_least, mu);
     }
   }
 
   const double V0 = kin(i)[Kin::VOLUME], per_mass = V0 / kin(i)[Kin::MASS];
+  stress = sum_of_blocks(stress);
+  viscous = sum_of_blocks(viscous);
+  hourglass = sum_of_blocks(hourglass);
   for (int a = 0; a < D; a++) {
     p.f[i][a] += V0 * (folded<D>(stress, a) + hourglass[a]);
     if (VISCOUS && correct)
@@ -448,14 +451,14 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
 
 template <int D> void LagrangianSweeps<D>::near_weights(int i)
 {
-  for (int k = 0; k < pairs.nearest[i]; k++) {
-    const int at = pairs.first[i] + k, j = pairs.j[at];
-    double r2 = 0.0;
-    for (int a = 0; a < D; a++) r2 += sep[at * D + a] * sep[at * D + a];
-    const double m_wbar =
-        wbar_mass(std::sqrt(r2), kin(j)[Kin::MASS], kin(i)[Kin::NEAR], kin(j)[Kin::NEAR]);
-    near_weight[at] = correction_weight(opt.weights, m_wbar, str(i)[Str::NSUM], str(j)[Str::NSUM]);
-  }
+  Base::set_near_weights(i, [&](int k) {
+    return pack_of([&](int m) {
+      const int j = pairs.j[k + m];
+      double r2 = 0.0;
+      for (int a = 0; a < D; a++) r2 += sep[(k + m) * D + a] * sep[(k + m) * D + a];
+      return wbar_mass(std::sqrt(r2), kin(j)[Kin::MASS], kin(i)[Kin::NEAR], kin(j)[Kin::NEAR]);
+    });
+  });
 }
 
 /* ----------------------------------------------------------------------
@@ -475,15 +478,18 @@ template <int D>
 template <bool PULL, bool DAMP>
 typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
 {
-  const double *kall = krow.data();
   const Motion<D> own(kin(i));
   Several<D> gradient = Several<D>::zero();
-  Four viscous = Four(0.0), hourglass = Four(0.0);
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const Motion<D> d = Motion<D>(kall + static_cast<std::int64_t>(pairs.j[k]) * Kin::STRIDE) - own;
-    add_outer(gradient, d.expanded_v(), load_spread<D>(&sep[k * D]) * Four(pairs.factor[k]));
-    if (PULL) viscous = multiply_add(Four(pull[k]), d.products(), viscous);
-    if (DAMP) hourglass = multiply_add(Four(-damp[k]), d.products(), hourglass);
+  Pack viscous(0.0), hourglass(0.0);
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+    const Pack F = load(&pairs.factor[k]);
+    const Spread factor(F), pulled(PULL ? load(&pull[k]) : F), damped(DAMP ? -load(&damp[k]) : F);
+    for (int m = 0; m < BLOCK; m++) {
+      const Motion<D> d = Motion<D>(Addresses(krow.data(), &pairs.j[k + m], Kin::STRIDE)) - own;
+      add_outer(gradient, d.expanded_v(), load_spread<D>(separations(k + m)) * factor[m]);
+      if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
+      if (DAMP) hourglass = multiply_add(damped[m], d.products(), hourglass);
+    }
   }
   const double V0 = kin(i)[Kin::VOLUME];
   return {V0 * contract(gradient, load_tensor<D>(str(i))), 0.5 * V0 * Motion<D>::v_dot_x(viscous),
@@ -502,9 +508,9 @@ void LagrangianSweeps<D>::virial(const Particles &, const NeighborRows &list, do
     const Several<D> T = load_tensor<D>(str(i));
     return [=](int k, const Motion<D> &d) {
       const double *sj = sall + static_cast<std::int64_t>(neighbor[k]) * stride;
-      const Several<D> g = load_spread<D>(X + k * D) * Four(V0 * factor[k]);
+      const Several<D> g = load_spread<D>(Addresses(X + k * D)) * Pack(V0 * factor[k]);
       const double central = (damping ? V0 * damping[k] : 0.0) - (pulls ? whole_pull(i, k) : 0.0);
-      return expanded<D>(times(T + load_tensor<D>(sj), g)) + Four(central) * d.expanded_x();
+      return expanded<D>(times(T + load_tensor<D>(sj), g)) + Pack(central) * d.expanded_x();
     };
   });
 }

@@ -16,10 +16,10 @@ namespace SPHSolid {
    much of the motion around it is not resolved, which takes one more sweep
 ------------------------------------------------------------------------- */
 
-template <int D> Four SweepsBase<D>::own_switch(const Tensor<D, Four> &L, Four c, Four h) const
+template <int D> Pack SweepsBase<D>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
 {
-  if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Four>(L);
-  return balsara_switch<D, Four>(L, c, h);
+  if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Pack>(L);
+  return balsara_switch<D, Pack>(L, c, h);
 }
 
 // at_rate: where in a row the tensor R is that predicts the jump x_ij.R along(k, d)
@@ -37,22 +37,25 @@ void SweepsBase<D>::sum_switch(const NeighborRows &list, int at_rate, Along alon
     const Motion<D> own(kin(i));
     const Several<D> rate = load_tensor<D>(str(i) + at_rate);
     const double least = MU_EPSILON * kin(i)[Kin::H] * kin(i)[Kin::H];    // particles may meet
-    Four rest2 = 0.0, linear2 = 0.0;
+    Pack rest2 = 0.0, linear2 = 0.0;
     for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
-      Motion<D> d[LANES];
-      Four l_i[LANES], l_j[LANES], weight = 0.0, r2, vr;
-      for (int m = 0; m < LANES; m++) {
-        const int j = pairs.j[k + m];
-        d[m] = own - Motion<D>(kin(j));
+      const int *j = &pairs.j[k];
+      Motion<D> d[BLOCK];
+      Pack l_i[BLOCK], l_j[BLOCK], r2, vr;
+      for (int m = 0; m < BLOCK; m++) {
+        d[m] = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
         const Several<D> X = along(k + m, d[m]);
+        const Addresses sj(srow.data(), j + m, stress_stride);
         l_i[m] = d[m].expanded_x() * times(rate, X);
-        l_j[m] = d[m].expanded_x() * times(load_tensor<D>(str(j) + at_rate), X);
-        weight.set(m, -switch_weight(j) * pairs.factor[k + m]);
+        l_j[m] = d[m].expanded_x() * times(load_tensor<D>(sj + at_rate), X);
       }
+      const Pack weight = pack_of([&](int m) {
+        return -switch_weight(j[m]) * pairs.factor[k + m];
+      });
       Motion<D>::dots(d, r2, vr);
-      const Four li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
-      const Four lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
-      const Four rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
+      const Pack li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
+      const Pack lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
+      const Pack rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
       rest2 += w * rest * rest;
       linear2 += 0.5 * w * (li * li + lj * lj);
     }
@@ -80,13 +83,14 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
     if (!weights_known) near_weights(i);
-    Four sum = 0.0;
+    Pack sum = 0.0;
     if (safe())
       sum = central_correction(i);
     else
-      each_few(i, [&](Four w, const int *, Four difference) {
+      each_few(i, [&](Pack w, const int *, Pack difference) {
         sum += w * difference;
       });
+    sum = sum_of_blocks(sum);
     for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * few_summed<D>(sum, a);
   }
   weights_known = constant_weights();
@@ -94,24 +98,23 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
 
 // the same with weights safe; the sum in the first lanes
 
-template <int D> Four SweepsBase<D>::central_correction(int i)
+template <int D> Pack SweepsBase<D>::central_correction(int i)
 {
-  Four sum = 0.0;
+  double sum[LANES] = {};
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++) {
     const int j = pairs.j[k];
     const double *dai = &da[i * VECTOR], *daj = &da[j * VECTOR];
-    const Motion<D> d = Motion<D>(kin(i)) - Motion<D>(kin(j));
+    const Vector<D> x = separation(i, j);
     double ax = 0.0, vx = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {
-      const double x = d.x()[a];
-      ax += (dai[a] - daj[a]) * x;
-      vx += (kin(i)[Kin::V + a] - kin(j)[Kin::V + a]) * x;
-      x2 += x * x;
+      ax += (dai[a] - daj[a]) * x[a];
+      vx += (kin(i)[Kin::V + a] - kin(j)[Kin::V + a]) * x[a];
+      x2 += x[a] * x[a];
     }
     near_pull[k] = near_weight[k] * safe_pull(ax, vx, x2);
-    for (int a = 0; a < D; a++) sum.set(a, sum[a] + near_pull[k] * d.x()[a]);
+    for (int a = 0; a < D; a++) sum[a] += near_pull[k] * x[a];
   }
-  return sum;
+  return load(sum);
 }
 
 /* ----------------------------------------------------------------------
@@ -147,7 +150,7 @@ void SweepsBase<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_r
       add_outer(sum, near_force(i, k, d), d.spread_x());
     }
     double rows[Blocks<D>::TENSOR];
-    store_tensor(rows, sum);
+    store_tensor<D>(Addresses(rows), sum);
     for (int a = 0; a < D; a++)
       for (int b = a; b < D; b++) total[VOIGT[a][b]] += 0.5 * rows[Blocks<D>::at(b, a)];
   }
@@ -156,13 +159,13 @@ void SweepsBase<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_r
 
 // what the correction puts on i for its nearest neighbor in a pair, expanded
 
-template <int D> inline Four SweepsBase<D>::near_force(int i, int pair, const Motion<D> &d) const
+template <int D> inline Pack SweepsBase<D>::near_force(int i, int pair, const Motion<D> &d) const
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
-  if (safe()) return Four(half * near_pull[pair]) * d.expanded_x();
-  const Four difference =
-      load_expanded<D>(&da[i * VECTOR]) - load_expanded<D>(&da[pairs.j[pair] * VECTOR]);
-  return Four(half * near_weight[pair]) * difference;
+  if (safe()) return Pack(half * near_pull[pair]) * d.expanded_x();
+  const Pack difference = load_expanded<D>(Addresses(&da[i * VECTOR])) -
+      load_expanded<D>(Addresses(&da[pairs.j[pair] * VECTOR]));
+  return Pack(half * near_weight[pair]) * difference;
 }
 
 /* ----------------------------------------------------------------------
@@ -253,12 +256,12 @@ template <int D> double SweepsBase<D>::heat_correction(int i) const
         power -= near_pull[k] * (u(i)[a] - u(pairs.j[k])[a]) * (kin(i)[a] - kin(pairs.j[k])[a]);
     return 0.25 * kin(i)[Kin::MASS] * power;
   }
-  const Four ui = load_few<D>(u(i), u(i));
-  Four power = 0.0;
-  each_few(i, [&](Four w, const int *j, Four difference) {
-    const Four uj = load_few<D>(u(j[0]), u(j[1]));
+  const Pack ui = load_few<D>(u(i));
+  Pack power = 0.0;
+  each_few(i, [&](Pack w, const int *j, Pack difference) {
+    const Pack uj = load_few<D>(u(0), j, Kin::STRIDE);
     if (printed)
-      power += w * 0.5 * (ui - uj) * load_few<D>(&da[j[0] * VECTOR], &da[j[1] * VECTOR]);
+      power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, VECTOR);
     else if (shepard)
       power -= w * 0.5 * ui * difference;
     else

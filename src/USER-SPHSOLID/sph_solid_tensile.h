@@ -32,12 +32,13 @@ inline double power(double base, double n)
 {
   return std::pow(base, n);
 }
-inline Four power(Four base, double n)
+inline Pack power(Pack base, double n)
 {
   if (n != std::floor(n) || n > 16.0)
-    return Four(std::pow(base[0], n), std::pow(base[1], n), std::pow(base[2], n),
-                std::pow(base[3], n));
-  Four product = base;
+    return pack_of([&](int m) {
+      return std::pow(base[m], n);
+    });
+  Pack product = base;
   for (int k = 1; k < static_cast<int>(n); k++) product *= base;
   return product;
 }

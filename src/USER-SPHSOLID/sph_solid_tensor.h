@@ -15,10 +15,10 @@
 #include <Eigen/LU>
 
 namespace Eigen {
-template <> struct NumTraits<SPHSolid::Four> : GenericNumTraits<SPHSolid::Four> {
-  typedef SPHSolid::Four Real;
-  typedef SPHSolid::Four NonInteger;
-  typedef SPHSolid::Four Nested;
+template <> struct NumTraits<SPHSolid::Pack> : GenericNumTraits<SPHSolid::Pack> {
+  typedef SPHSolid::Pack Real;
+  typedef SPHSolid::Pack NonInteger;
+  typedef SPHSolid::Pack Nested;
   typedef double Literal;
   enum {
     IsComplex = 0,

@@ -1,14 +1,20 @@
 /* ----------------------------------------------------------------------
-   Four doubles at a time: the one place with explicit vector types.
+   Packs of four or eight doubles: the one place with explicit vector types.
 
    The rows of sph_solid_rows.h are made of blocks of four doubles, so that a
    pair is a handful of vector loads of its neighbor's row.  (A loop over pairs
    with one component per vector has to gather every component from another
    place, which costs several times the arithmetic.)
 
+   A pack holds one number each of LANES pairs or particles, or as many blocks
+   as it has room for, of as many pairs.  With four lanes that is one block; with
+   eight (AVX-512) two, of pair k and of pair k + 4.  Everything between lanes
+   stays inside its block, so that the same lines work with either.
+
    GCC and Clang know such vectors and take the widest instructions they were
    given; for any other compiler, and for a test that both give the same
-   numbers, SPHSOLID_PORTABLE_VECTOR selects arrays and loops.
+   numbers, SPHSOLID_PORTABLE_VECTOR selects arrays and loops.  SPHSOLID_LANES
+   can be set to 4 or 8 for tests.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_VECTOR_H
@@ -23,13 +29,29 @@
 #if !defined(__GNUC__) && !defined(SPHSOLID_PORTABLE_VECTOR)
 #define SPHSOLID_PORTABLE_VECTOR
 #endif
-#if defined(__FMA__) && !defined(SPHSOLID_PORTABLE_VECTOR)
+#if defined(__AVX__) && !defined(SPHSOLID_PORTABLE_VECTOR)
 #include <immintrin.h>
+#endif
+
+#if !defined(SPHSOLID_LANES)
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#define SPHSOLID_LANES 8
+#else
+#define SPHSOLID_LANES 4
+#endif
+#endif
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && SPHSOLID_LANES == 8 && \
+    !defined(SPHSOLID_PORTABLE_VECTOR)
+#define SPHSOLID_AVX512
 #endif
 
 namespace SPHSolid {
 
-constexpr int LANES = 4;
+constexpr int LANES = SPHSOLID_LANES;
+constexpr int BLOCK = 4;                 // doubles in a block
+constexpr int BLOCKS = LANES / BLOCK;    // in a pack
+static_assert(LANES == 4 || LANES == 8, "SPHSOLID_LANES is 4 or 8");
 
 // n rounded up to whole vectors
 
@@ -48,7 +70,9 @@ struct Native {
 
 template <class F> inline Native each_lane(F f)
 {
-  return {f(0), f(1), f(2), f(3)};
+  Native out;
+  for (int k = 0; k < LANES; k++) out.lane[k] = f(k);
+  return out;
 }
 inline Native operator+(const Native &a, const Native &b)
 {
@@ -74,6 +98,12 @@ inline Native operator/(const Native &a, const Native &b)
     return a[k] / b[k];
   });
 }
+inline Native native_all(double a)
+{
+  return each_lane([&](int) {
+    return a;
+  });
+}
 inline Native native_multiply_add(const Native &a, const Native &b, const Native &c)
 {
   return each_lane([&](int k) {
@@ -90,71 +120,112 @@ inline Native native_where_positive(const Native &condition, const Native &a, co
     return condition[k] > 0.0 ? a[k] : b[k];
   });
 }
+inline Native native_square_root(const Native &a)
+{
+  return each_lane([&](int k) {
+    return std::sqrt(a[k]);
+  });
+}
 template <int i, int j, int k, int l> inline Native native_shuffle(const Native &a, const Native &b)
 {
-  auto pick = [&](int n) {
-    return n < LANES ? a[n] : b[n - LANES];
-  };
-  return {pick(i), pick(j), pick(k), pick(l)};
+  const int from[BLOCK] = {i, j, k, l};
+  return each_lane([&](int n) {
+    const int m = from[n % BLOCK], block = n / BLOCK * BLOCK;
+    return m < BLOCK ? a[block + m] : b[block + m - BLOCK];
+  });
 }
 
 #else
 
 typedef double Native __attribute__((vector_size(LANES * sizeof(double))));
 
+inline Native native_all(double a)
+{
+  return a - Native{};    // -0.0 stays -0.0
+}
 inline Native native_multiply_add(Native a, Native b, Native c)
 {
-#ifdef __FMA__
-  return _mm256_fmadd_pd(a, b, c);
+#if defined(SPHSOLID_AVX512)
+  return _mm512_fmadd_pd(a, b, c);
+#elif defined(__FMA__)
+  Native out;
+  for (int n = 0; n < BLOCKS; n++) {
+    __m256d x, y, z;
+    std::memcpy(&x, reinterpret_cast<const char *>(&a) + n * sizeof(x), sizeof(x));
+    std::memcpy(&y, reinterpret_cast<const char *>(&b) + n * sizeof(y), sizeof(y));
+    std::memcpy(&z, reinterpret_cast<const char *>(&c) + n * sizeof(z), sizeof(z));
+    x = _mm256_fmadd_pd(x, y, z);
+    std::memcpy(reinterpret_cast<char *>(&out) + n * sizeof(x), &x, sizeof(x));
+  }
+  return out;
 #else
   return a * b + c;
 #endif
 }
 inline Native native_where_positive(Native condition, Native a, Native b)
 {
-  return condition > Native{0.0, 0.0, 0.0, 0.0} ? a : b;
+#if defined(SPHSOLID_AVX512)
+  return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(condition, Native{}, _CMP_GT_OQ), b, a);
+#else
+  return condition > Native{} ? a : b;
+#endif
+}
+inline Native native_square_root(Native a)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_sqrt_pd(a);
+#else
+  for (int k = 0; k < LANES; k++) a[k] = std::sqrt(a[k]);
+  return a;
+#endif
+}
+
+// where lane n of a block comes from: of a (0 to 3) or b (4 to 7), the same in every block
+constexpr int source_lane(int n, int block)
+{
+  return n < BLOCK ? block * BLOCK + n : LANES + block * BLOCK + n - BLOCK;
 }
 template <int i, int j, int k, int l> inline Native native_shuffle(Native a, Native b)
 {
 #if defined(__clang__) || __GNUC__ >= 12
+#if SPHSOLID_LANES == 8
+  return __builtin_shufflevector(a, b, source_lane(i, 0), source_lane(j, 0), source_lane(k, 0),
+                                 source_lane(l, 0), source_lane(i, 1), source_lane(j, 1),
+                                 source_lane(k, 1), source_lane(l, 1));
+#else
   return __builtin_shufflevector(a, b, i, j, k, l);
+#endif
 #else
   typedef long long Mask __attribute__((vector_size(LANES * sizeof(long long))));
-  return __builtin_shuffle(a, b, Mask{i, j, k, l});
+  const int from[BLOCK] = {i, j, k, l};
+  Mask mask;
+  for (int n = 0; n < LANES; n++) mask[n] = source_lane(from[n % BLOCK], n / BLOCK);
+  return __builtin_shuffle(a, b, mask);
 #endif
 }
 
 #endif
 
-// a number in formulas that take four particles or pairs at a time
+// a number in formulas that take as many particles or pairs at a time
 
-class Four {
+class Pack {
  public:
-  Four() = default;
-  Four(double a) : v{a, a, a, a} {}
-  Four(double a, double b, double c, double d) : v{a, b, c, d} {}
-  explicit Four(const Native &n) : v(n) {}
+  Pack() = default;
+  Pack(double a) : v(native_all(a)) {}
+  explicit Pack(const Native &n) : v(n) {}
 
   double operator[](int k) const { return v[k]; }
-  void set(int k, double a) { v[k] = a; }
   const Native &native() const { return v; }
 
-  static Four loaded(const double *from)
-  {
-    Four a;
-    std::memcpy(&a.v, from, sizeof(a.v));
-    return a;
-  }
-
-  friend Four operator+(const Four &a, const Four &b) { return Four(a.v + b.v); }
-  friend Four operator-(const Four &a, const Four &b) { return Four(a.v - b.v); }
-  friend Four operator*(const Four &a, const Four &b) { return Four(a.v * b.v); }
-  friend Four operator/(const Four &a, const Four &b) { return Four(a.v / b.v); }
-  Four operator-() const { return Four(0.0) - *this; }
-  Four &operator+=(const Four &b) { return *this = *this + b; }
-  Four &operator-=(const Four &b) { return *this = *this - b; }
-  Four &operator*=(const Four &b) { return *this = *this * b; }
-  Four &operator/=(const Four &b) { return *this = *this / b; }
+  friend Pack operator+(const Pack &a, const Pack &b) { return Pack(a.v + b.v); }
+  friend Pack operator-(const Pack &a, const Pack &b) { return Pack(a.v - b.v); }
+  friend Pack operator*(const Pack &a, const Pack &b) { return Pack(a.v * b.v); }
+  friend Pack operator/(const Pack &a, const Pack &b) { return Pack(a.v / b.v); }
+  Pack operator-() const { return Pack(0.0) - *this; }
+  Pack &operator+=(const Pack &b) { return *this = *this + b; }
+  Pack &operator-=(const Pack &b) { return *this = *this - b; }
+  Pack &operator*=(const Pack &b) { return *this = *this * b; }
+  Pack &operator/=(const Pack &b) { return *this = *this / b; }
 
  private:
   Native v;
@@ -164,48 +235,163 @@ class Four {
 // compiler, left free to choose, takes it in a vector loop and not in what is left over, and
 // numbers would depend on where in a row a pair stands
 
-inline Four multiply_add(Four a, Four b, Four c)
+inline Pack multiply_add(Pack a, Pack b, Pack c)
 {
-  return Four(native_multiply_add(a.native(), b.native(), c.native()));
+  return Pack(native_multiply_add(a.native(), b.native(), c.native()));
 }
 
 // lanes of a (0 to 3) and b (4 to 7)
 
-template <int i, int j, int k, int l> inline Four shuffle(Four a, Four b)
+template <int i, int j, int k, int l> inline Pack shuffle(Pack a, Pack b)
 {
-  return Four(native_shuffle<i, j, k, l>(a.native(), b.native()));
+  return Pack(native_shuffle<i, j, k, l>(a.native(), b.native()));
 }
 
-template <int i, int j, int k, int l> inline Four shuffle(Four a)
+template <int i, int j, int k, int l> inline Pack shuffle(Pack a)
 {
   return shuffle<i, j, k, l>(a, a);
 }
 
-inline Four load(const double *from)
+// as many doubles as there are lanes
+
+inline Pack load(const double *from)
 {
-  return Four::loaded(from);
+  Native n;
+  std::memcpy(&n, from, sizeof(n));
+  return Pack(n);
 }
 
-inline void store(double *to, Four v)
+inline void store(double *to, Pack v)
 {
   std::memcpy(to, &v.native(), sizeof(Native));
 }
 
-// {p0, p1, 0, 0} and {p0, p1, p0, p1}
-inline Four load_two(const double *p)
+// value(lane) of each.  Not by way of an array: its load would have to wait for the stores
+
+template <class F> inline Pack pack_of(F value)
 {
-  return Four(p[0], p[1], 0.0, 0.0);
+#ifdef SPHSOLID_PORTABLE_VECTOR
+  return Pack(each_lane(value));
+#elif SPHSOLID_LANES == 8
+  return Pack(
+      Native{value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7)});
+#else
+  return Pack(Native{value(0), value(1), value(2), value(3)});
+#endif
 }
-inline Four load_two_twice(const double *p)
+
+// 1 in the lanes that are less than n, 0 in the others
+
+inline Pack first_lanes(int n)
 {
-  return Four(p[0], p[1], p[0], p[1]);
+  static constexpr double STEP[2 * LANES] = {
+#if SPHSOLID_LANES == 8
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+#endif
+    1.0,
+    1.0,
+    1.0,
+    1.0
+  };
+  return load(STEP + LANES - (n < 0 ? 0 : n < LANES ? n : LANES));
+}
+
+// where the blocks of a pack lie: block b has lanes 4 b to 4 b + 3
+
+struct Addresses {
+  const double *block[BLOCKS];
+
+  // rows of particles j[0] and, with a second block, j[4]
+  Addresses(const double *rows, const int *j, int stride)
+  {
+    for (int b = 0; b < BLOCKS; b++)
+      block[b] = rows + static_cast<std::ptrdiff_t>(j[b * BLOCK]) * stride;
+  }
+  // the same of rows that have pointers
+  Addresses(const double *const *rows, const int *j)
+  {
+    for (int b = 0; b < BLOCKS; b++) block[b] = rows[j[b * BLOCK]];
+  }
+  Addresses(const double *first, const double *second)
+  {
+    for (int b = 0; b < BLOCKS; b++) block[b] = b == 0 ? first : second;
+  }
+  explicit Addresses(const double *same) : Addresses(same, same) {}
+  Addresses operator+(int n) const
+  {
+    Addresses a = *this;
+    for (int b = 0; b < BLOCKS; b++) a.block[b] += n;
+    return a;
+  }
+};
+
+// a block from each address, one block in all, one double in all lanes of each block
+
+inline Pack load(const Addresses &from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from.block[0])),
+                                 _mm256_loadu_pd(from.block[1]), 1));
+#else
+  Native n;
+  for (int b = 0; b < BLOCKS; b++)
+    std::memcpy(reinterpret_cast<char *>(&n) + b * BLOCK * sizeof(double), from.block[b],
+                BLOCK * sizeof(double));
+  return Pack(n);
+#endif
+}
+
+inline Pack load_block(const double *from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(_mm512_broadcast_f64x4(_mm256_loadu_pd(from)));
+#else
+  return load(Addresses(from));
+#endif
+}
+
+inline Pack load_all(const Addresses &from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(
+      _mm512_mask_broadcastsd_pd(_mm512_set1_pd(*from.block[0]), 0xF0, _mm_load_sd(from.block[1])));
+#else
+  return pack_of([&](int n) {
+    return *from.block[n / BLOCK];
+  });
+#endif
+}
+
+// {p0, p1, p0, p1} and {p0, p1, 0, 0} in each block
+
+inline Pack load_two_twice(const Addresses &from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(_mm512_mask_broadcast_f64x2(_mm512_broadcast_f64x2(_mm_loadu_pd(from.block[0])), 0xF0,
+                                          _mm_loadu_pd(from.block[1])));
+#else
+  return pack_of([&](int n) {
+    return from.block[n / BLOCK][n % 2];
+  });
+#endif
+}
+
+inline void store(const Addresses &to, Pack v)
+{
+  for (int b = 0; b < BLOCKS; b++)
+    std::memcpy(const_cast<double *>(to.block[b]),
+                reinterpret_cast<const char *>(&v.native()) + b * BLOCK * sizeof(double),
+                BLOCK * sizeof(double));
 }
 
 // condition > 0 ? a : b; numbers and vectors of them
 
-inline Four where_positive(Four condition, Four a, Four b)
+inline Pack where_positive(Pack condition, Pack a, Pack b)
 {
-  return Four(native_where_positive(condition.native(), a.native(), b.native()));
+  return Pack(native_where_positive(condition.native(), a.native(), b.native()));
 }
 
 inline double where_positive(double condition, double a, double b)
@@ -227,52 +413,97 @@ inline double square_root(double a)
 {
   return std::sqrt(a);
 }
-inline Four square_root(Four a)
+inline Pack square_root(Pack a)
 {
-  return Four(std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]));
+  return Pack(native_square_root(a.native()));
 }
 
-inline double sum(Four a)
+// the sum of all blocks, in each of them
+
+inline Pack sum_of_blocks(Pack a)
 {
-  return (a[0] + a[2]) + (a[1] + a[3]);
+#if defined(SPHSOLID_AVX512)
+  const Native n = a.native();
+  return Pack(n + _mm512_shuffle_f64x2(n, n, 0x4E));
+#else
+  if (BLOCKS == 1) return a;
+  return pack_of([&](int n) {
+    return a[n % BLOCK] + a[n % BLOCK + LANES - BLOCK];
+  });
+#endif
 }
 
-inline double least(Four a)
+// block b: the sum of all blocks of a[b * BLOCK]
+
+inline Pack sums_of_blocks(const Pack *a)
 {
-  const double p = a[0] < a[1] ? a[0] : a[1], q = a[2] < a[3] ? a[2] : a[3];
-  return p < q ? p : q;
+#if defined(SPHSOLID_AVX512)
+  const Native p = a[0].native(), q = a[BLOCK].native();
+  return Pack(_mm512_shuffle_f64x2(p, q, 0x44) + _mm512_shuffle_f64x2(p, q, 0xEE));
+#else
+  if (BLOCKS == 1) return a[0];
+  return pack_of([&](int n) {
+    const Pack &from = a[n / BLOCK * BLOCK];
+    return from[n % BLOCK] + from[n % BLOCK + LANES - BLOCK];
+  });
+#endif
+}
+
+inline double sum(Pack a)
+{
+  const Pack s = sum_of_blocks(a);
+  return (s[0] + s[2]) + (s[1] + s[3]);
+}
+
+inline double least(Pack a)
+{
+  double least = a[0];
+  for (int k = 1; k < LANES; k++) least = a[k] < least ? a[k] : least;
+  return least;
 }
 
 // {sum of a, of b, of c, of d}
 
-inline Four sums(Four a, Four b, Four c, Four d)
+inline Pack sums(Pack a, Pack b, Pack c, Pack d)
 {
-  const Four ab = shuffle<0, 4, 2, 6>(a, b) + shuffle<1, 5, 3, 7>(a, b);
-  const Four cd = shuffle<0, 4, 2, 6>(c, d) + shuffle<1, 5, 3, 7>(c, d);
+  const Pack ab = shuffle<0, 4, 2, 6>(a, b) + shuffle<1, 5, 3, 7>(a, b);
+  const Pack cd = shuffle<0, 4, 2, 6>(c, d) + shuffle<1, 5, 3, 7>(c, d);
   return shuffle<0, 1, 4, 5>(ab, cd) + shuffle<2, 3, 6, 7>(ab, cd);
 }
 
 // the same of lanes 0, 1 (low) and of lanes 2, 3 (high)
 
-inline void half_sums(Four a, Four b, Four c, Four d, Four &low, Four &high)
+inline void half_sums(Pack a, Pack b, Pack c, Pack d, Pack &low, Pack &high)
 {
-  const Four ab = shuffle<0, 4, 2, 6>(a, b) + shuffle<1, 5, 3, 7>(a, b);
-  const Four cd = shuffle<0, 4, 2, 6>(c, d) + shuffle<1, 5, 3, 7>(c, d);
+  const Pack ab = shuffle<0, 4, 2, 6>(a, b) + shuffle<1, 5, 3, 7>(a, b);
+  const Pack cd = shuffle<0, 4, 2, 6>(c, d) + shuffle<1, 5, 3, 7>(c, d);
   low = shuffle<0, 1, 4, 5>(ab, cd);
   high = shuffle<2, 3, 6, 7>(ab, cd);
 }
 
 // four rows become four columns
 
-inline void transpose(Four &a, Four &b, Four &c, Four &d)
+inline void transpose(Pack &a, Pack &b, Pack &c, Pack &d)
 {
-  const Four ab0 = shuffle<0, 4, 2, 6>(a, b), ab1 = shuffle<1, 5, 3, 7>(a, b);
-  const Four cd0 = shuffle<0, 4, 2, 6>(c, d), cd1 = shuffle<1, 5, 3, 7>(c, d);
+  const Pack ab0 = shuffle<0, 4, 2, 6>(a, b), ab1 = shuffle<1, 5, 3, 7>(a, b);
+  const Pack cd0 = shuffle<0, 4, 2, 6>(c, d), cd1 = shuffle<1, 5, 3, 7>(c, d);
   a = shuffle<0, 1, 4, 5>(ab0, cd0);
   b = shuffle<0, 1, 4, 5>(ab1, cd1);
   c = shuffle<2, 3, 6, 7>(ab0, cd0);
   d = shuffle<2, 3, 6, 7>(ab1, cd1);
 }
+
+// lane m of each block in all of its lanes, for m = 0 to 3
+
+struct Spread {
+  Pack of[BLOCK];
+  explicit Spread(Pack a) :
+      of{shuffle<0, 0, 0, 0>(a), shuffle<1, 1, 1, 1>(a), shuffle<2, 2, 2, 2>(a),
+         shuffle<3, 3, 3, 3>(a)}
+  {
+  }
+  const Pack &operator[](int m) const { return of[m]; }
+};
 
 // arrays of rows that begin on a cache line
 

@@ -120,10 +120,11 @@ template <PairForm FORM, class Real> inline Real jump_left(Real vr, Real l_i, Re
 // n_i = sum_j m_j Wbar_ij over the nearest neighbours, self left out: with it
 // the row sum would pass one and the viscosity would change its sign
 
-inline double correction_weight(Weights weights, double m_wbar, double n_i, double n_j)
+template <class Real>
+inline Real correction_weight(Weights weights, Real m_wbar, Real n_i, Real n_j)
 {
   if (weights == Weights::SHEPARD) return m_wbar / n_i;
-  return m_wbar / (n_i > n_j ? n_i : n_j);
+  return m_wbar / maximum(n_i, n_j);
 }
 
 // weights safe: of the pair force that the correction leaves, only the part along the

@@ -63,12 +63,13 @@ TEST(Tensile, Crowding)
 
 TEST(Tensile, CrowdingInVectors)
 {
-  const double r[LANES] = {0.0, 0.7, 1.3, 2.6};
+  double r[LANES];
+  for (int m = 0; m < LANES; m++) r[m] = 2.6 * m / (LANES - 1);
   for (const double n : {1.0, 4.0, 3.5, 17.0}) {
-    const Four four = crowding<3>(load(r), Four(1.3), Four(1.0), n);
+    const Pack all = crowding<3>(load(r), Pack(1.3), Pack(1.0), n);
     for (int m = 0; m < LANES; m++) {
       const double one = crowding<3>(r[m], 1.3, 1.0, n);
-      EXPECT_NEAR(four[m], one, 1.0e-14 * one) << n << " " << r[m];
+      EXPECT_NEAR(all[m], one, 1.0e-14 * one) << n << " " << r[m];
     }
   }
 }
