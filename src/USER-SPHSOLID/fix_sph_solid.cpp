@@ -146,14 +146,17 @@ void FixSPHSolid::initial_integrate(int)
   kick(0.5 * update->dt * force->ftm2v);
 
   double **x = atom->x, **v = atom->v;
-  const int nlocal = atom->nlocal, *mask = atom->mask, dimension = domain->dimension;
+  const int nlocal = atom->nlocal, *mask = atom->mask;
+  const bool three = domain->dimension == 3;
   const double dt = update->dt;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(comm->nthreads)
 #endif
   for (int i = 0; i < nlocal; i++) {
     if (!(mask[i] & groupbit)) continue;
-    for (int k = 0; k < dimension; k++) x[i][k] += dt * v[i][k];
+    x[i][0] += dt * v[i][0];
+    x[i][1] += dt * v[i][1];
+    if (three) x[i][2] += dt * v[i][2];
   }
 }
 
@@ -166,14 +169,17 @@ void FixSPHSolid::final_integrate()
 void FixSPHSolid::kick(double dtf)
 {
   double **v = atom->v, **f = atom->f, *rmass = atom->rmass;
-  const int nlocal = atom->nlocal, *mask = atom->mask, dimension = domain->dimension;
+  const int nlocal = atom->nlocal, *mask = atom->mask;
+  const bool three = domain->dimension == 3;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(comm->nthreads)
 #endif
   for (int i = 0; i < nlocal; i++) {
     if (!(mask[i] & groupbit)) continue;
     const double dtfm = dtf / rmass[i];
-    for (int k = 0; k < dimension; k++) v[i][k] += dtfm * f[i][k];
+    v[i][0] += dtfm * f[i][0];
+    v[i][1] += dtfm * f[i][1];
+    if (three) v[i][2] += dtfm * f[i][2];
   }
 }
 
@@ -195,12 +201,13 @@ void FixSPHSolid::take_up(const double *energy)
 {
   double *e = atom->esph;
   const double *mass = atom->rmass;
-  const int nlocal = atom->nlocal;
+  const int nlocal = atom->nlocal, *type = atom->type;
+  const std::vector<char> ours = pair->types_with_material();
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(comm->nthreads)
 #endif
   for (int i = 0; i < nlocal; i++)
-    if (pair->has_material(i)) e[i] += energy[i] / mass[i];
+    if (ours[type[i]]) e[i] += energy[i] / mass[i];
 }
 
 // the next run starts from rest in time

@@ -212,7 +212,8 @@ void PairSPHSolid::pack_kinematics(bool setup)
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(comm->nthreads)
 #endif
-    for (int i = 0; i < p.nlocal; i++) std::copy(p.v[i], p.v[i] + 3, vhalf[i]);
+    for (int i = 0; i < p.nlocal; i++)
+      for (int k = 0; k < 3; k++) vhalf[i][k] = p.v[i][k];
   }
   sweeps->pack_kinematics(p, resumed ? own->vhalf : p.v);
 }
@@ -385,14 +386,18 @@ PairSPHSolid *PairSPHSolid::find(LAMMPS *lmp, const char *caller)
 void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool book)
 {
   const Particles p = particles();
-  const int *mask = atom->mask, dimension = domain->dimension;
+  const int *mask = atom->mask;
+  const bool three = domain->dimension == 3;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(comm->nthreads)
 #endif
   for (int i = 0; i < p.nlocal; i++) {
     double *u = sweeps->displacement(i);
+    const double *v = p.v[i], *f = p.f[i];
     const double a = (mask[i] & integrated) ? a_scale / p.mass[i] : 0.0;
-    for (int k = 0; k < dimension; k++) u[k] = v_scale * p.v[i][k] + a * p.f[i][k];
+    u[0] = v_scale * v[0] + a * f[0];
+    u[1] = v_scale * v[1] + a * f[1];
+    if (three) u[2] = v_scale * v[2] + a * f[2];
   }
   forward(DISPLACEMENT, domain->dimension);
   sweeps->heat(p, rows(), heat, book);
@@ -433,6 +438,13 @@ bool PairSPHSolid::has_material(int i) const
 {
   const int t = atom->type[i];
   return setflag[t][t] != 0;
+}
+
+std::vector<char> PairSPHSolid::types_with_material() const
+{
+  std::vector<char> have(atom->ntypes + 1, 0);
+  for (int t = 1; t <= atom->ntypes; t++) have[t] = setflag[t][t] != 0;
+  return have;
 }
 
 double PairSPHSolid::pressure(int i) const

@@ -54,6 +54,18 @@ template <class Call> void with_form(PairForm form, Call call)
   }
 }
 
+// call with two flags as constants
+
+template <class Call> void with_flags(bool first, bool second, Call call)
+{
+  constexpr std::true_type yes;
+  constexpr std::false_type no;
+  if (first && second) call(yes, yes);
+  if (first && !second) call(yes, no);
+  if (!first && second) call(no, yes);
+  if (!first && !second) call(no, no);
+}
+
 template <int D> class SweepsBase : public Sweeps {
  public:
   // ntensors: how many tensors follow the fixed part of a stress row
@@ -78,7 +90,6 @@ template <int D> class SweepsBase : public Sweeps {
   double *viscous_acceleration(int i) override { return &da[i * VECTOR]; }
   void correction(const Particles &, const NeighborRows &) override;
   double *displacement(int i) override { return &krow[i * Kin::STRIDE + Kin::V]; }
-  void heat(const Particles &, const NeighborRows &, double *, bool) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
   double sound_speed(int i) const override { return srow[i * stress_stride + Str::C]; }
   int neighbor_count(int i) const override { return pairs.count[i]; }
@@ -123,6 +134,7 @@ template <int D> class SweepsBase : public Sweeps {
   bool is_lonely(int i) const { return needs_correction() && !(str(i)[Str::NSUM] > 0.0); }
 
   void size_rows(const Particles &, const NeighborRows &);
+  void pack_constants(const Particles &);
   void find_image_candidates(const Particles &, const NeighborRows &, double **x, double reach);
   void mirror_vectors(double *rows, int stride) const;
   // m_j Wbar_ij; near: supports of Wbar of both, whose mean is that of the pair
@@ -243,7 +255,7 @@ template <int D> class SweepsBase : public Sweeps {
   struct Power {
     double stress = 0.0, viscous = 0.0, hourglass = 0.0;
   };
-  virtual Power pair_power(int i) const = 0;
+  template <class OfRow> void sum_heat(const NeighborRows &, double *, bool book, OfRow of_row);
   double heat_correction(int i) const;
   Pack central_correction(int i);
   Pack near_force(int i, int pair, const Motion<D> &d) const;
@@ -283,6 +295,7 @@ template <int D> void SweepsBase<D>::size_rows(const Particles &p, const Neighbo
   }
   pairs.j.resize(pairs.first[p.nlocal]);
   pairs.factor.resize(pairs.first[p.nlocal]);
+  pack_constants(p);
 }
 
 // candidates among the images: those of every neighbor and of i itself, at x
@@ -312,22 +325,35 @@ void SweepsBase<D>::find_image_candidates(const Particles &p, const NeighborRows
 
 /* ---------------------------------------------------------------------- */
 
-template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const double *const *v)
+// what stays as it is until neighbors are new
+
+template <int D> void SweepsBase<D>::pack_constants(const Particles &p)
 {
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
   for (int i = 0; i < p.nall; i++) {
-    double *row = &krow[i * Kin::STRIDE];
+    double *row = &krow[static_cast<std::size_t>(i) * Kin::STRIDE];
     const TypeData &t = types[p.type[i]];
-    for (int a = 0; a < D; a++) {
-      row[Kin::X + a] = p.x[i][a];
-      row[Kin::V + a] = v[i][a];
-    }
     row[Kin::MASS] = p.mass[i];
     row[Kin::VOLUME] = weight_volume(p, i);
     row[Kin::H] = t.h;
     row[Kin::NEAR] = opt.hbar * t.spacing;
+  }
+}
+
+template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const double *const *v)
+{
+  double *rows = krow.data();
+  const bool weights = !constant_weights();
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads)
+#endif
+  for (int i = 0; i < p.nall; i++) {
+    double *row = rows + static_cast<std::size_t>(i) * Kin::STRIDE;
+    const double *x = p.x[i], *vi = v[i];
+    for (int a = 0; a < D; a++) {
+      row[Kin::X + a] = x[a];
+      row[Kin::V + a] = vi[a];
+    }
+    if (weights) row[Kin::VOLUME] = weight_volume(p, i);
   }
   for (int k = 0; k < nrows - p.nall; k++) {
     const double *from = kin(images.source_of(k));

@@ -28,6 +28,7 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   int gradient(const Particles &, const NeighborRows &, double) override;
   void find_switch(const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
+  void heat(const Particles &, const NeighborRows &, double *, bool) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
   double memory_usage() const override
   {
@@ -67,7 +68,6 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
   template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
-  typename Base::Power pair_power(int i) const override;
   template <bool PULL, bool TENSILE> typename Base::Power pair_power(int i) const;
 };
 
@@ -106,22 +106,23 @@ template <int D> struct EulerianSweeps<D>::Scratch {
 
 template <int D> void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
 {
-  const double *ri = kin(i);
+  const double *kall = krow.data(), *ri = kin(i);
+  int *near = s.near.data(), *far = s.far.data();
   for (int jj = 0; jj < n; jj++) {
     const int j = list[jj] & INDEX_MASK;
-    const double *rj = kin(j);
+    const double *rj = kall + static_cast<std::ptrdiff_t>(j) * Kin::STRIDE;
     double r2 = 0.0;
     for (int a = 0; a < D; a++) {
       const double d = ri[a] - rj[a];
       r2 += d * d;
     }
     const double reach = ri[Kin::H] + rj[Kin::H];    // 2 h_ij
-    const double near = 0.5 * (ri[Kin::NEAR] + rj[Kin::NEAR]);
+    const double support = 0.5 * (ri[Kin::NEAR] + rj[Kin::NEAR]);
     if (j >= this->nparticles && r2 < COINCIDE * COINCIDE * reach * reach) continue;    // itself
-    if (r2 < near * near)
-      s.near[s.nnear++] = j;
+    if (r2 < support * support)
+      near[s.nnear++] = j;
     else if (r2 < reach * reach)
-      s.far[s.nfar++] = j;
+      far[s.nfar++] = j;
   }
 }
 
@@ -147,17 +148,19 @@ template <int D> void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &l
 
 template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
 {
-  const double *ki = kin(i);
+  const double *kall = krow.data(), *ki = kin(i);
   const Motion<D> own(ki);
-  const int start = pairs.first[i];
+  const int start = pairs.first[i], count = pairs.count[i], nearest = pairs.nearest[i];
+  double *factors = pairs.factor.data() + start, *weights = near_weight.data() + start;
   Several<D> moment = Several<D>::zero(), velocity = moment;
   Pack nsum = 0.0;
 
-  for (int k = 0; k < pairs.count[i]; k += LANES) {
+  for (int k = 0; k < count; k += LANES) {
+    const int *j = &pairs.j[start + k];
     Motion<D> d[BLOCK];
     Pack inertia[BLOCK];
     for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(krow.data(), &pairs.j[start + k + m], Kin::STRIDE);
+      const Addresses kj(kall, j + m, Kin::STRIDE);
       d[m] = own - Motion<D>(kj);
       inertia[m] = load(kj + Kin::MASS);
     }
@@ -166,18 +169,18 @@ template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
     transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
     const Pack r = square_root(r2), h = 0.5 * (ki[Kin::H] + inertia[2]);
     Pack F = CubicSpline<D>::gradient_factor(r, h);
-    if (k + LANES > pairs.count[i]) F *= first_lanes(pairs.count[i] - k);
-    store(&pairs.factor[start + k], F);
+    if (k + LANES > count) F *= first_lanes(count - k);
+    store(factors + k, F);
     const Spread w(-(inertia[1] * F));
     for (int m = 0; m < BLOCK; m++) {
       const Several<D> g = d[m].spread_x() * w[m];
       add_outer(moment, d[m].expanded_x(), g);
       add_outer(velocity, d[m].expanded_v(), g);
     }
-    if (k < pairs.nearest[i]) {
+    if (k < nearest) {
       const Pack m_wbar = Base::wbar_mass(r, inertia[0], Pack(ki[Kin::NEAR]), inertia[3]) *
-          first_lanes(pairs.nearest[i] - k);
-      store(&near_weight[start + k], m_wbar);
+          first_lanes(nearest - k);
+      store(weights + k, m_wbar);
       nsum += m_wbar;
     }
   }
@@ -319,35 +322,39 @@ template <PairForm FORM, bool TENSILE>
 void EulerianSweeps<D>::force_row(const Particles &p, int i)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, RATES = needs_rates(FORM);
-  const int r_at = at_rate();
-  const double *ki = kin(i), *si = str(i);
+  constexpr int R_AT = extra(0), L_AT = extra(TENSILE ? 1 : 0),    // R, velocity gradient
+      STRIDE = extra((TENSILE ? 1 : 0) + (RATES ? 1 : 0));         // of a stress row
+  const double *kall = krow.data(), *sall = srow.data(), *factors = pairs.factor.data();
+  const double *ki = kin(i), *si = sall + std::ptrdiff_t(i) * STRIDE;
+  double *pulls = pull.data();
+  const double a1 = opt.a1, a2 = opt.a2;
   const Motion<D> own(ki);
-  const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + extra(0) : si),
-                   rate = load_tensor<D>(RATES ? si + r_at : si);
+  const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + R_AT : si),
+                   rate = load_tensor<D>(RATES ? si + L_AT : si);
   const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
   const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
   Pack stress = zero, viscous = zero, mu_least = zero;
 
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
+    const int *j = &pairs.j[k];
     Motion<D> d[BLOCK];
     Pack state[BLOCK], inertia[BLOCK], tensile[BLOCK], l_i[BLOCK], l_j[BLOCK];
-    const Pack F = load(&pairs.factor[k]);
+    const Pack F = load(factors + k);
     const Spread factor(F);
     for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(krow.data(), &pairs.j[k + m], Kin::STRIDE),
-          sj(srow.data(), &pairs.j[k + m], stress_stride);
+      const Addresses kj(kall, j + m, Kin::STRIDE), sj(sall, j + m, STRIDE);
       d[m] = own - Motion<D>(kj);
       state[m] = load(sj + Str::K);
       const Several<D> g = d[m].spread_x() * (shuffle<0, 0, 0, 0>(state[m]) * factor[m]);
       add_times<D>(stress, T + load_tensor<D>(sj), g);
-      if (TENSILE) tensile[m] = times(R + load_tensor<D>(sj + extra(0)), g);
+      if (TENSILE) tensile[m] = times(R + load_tensor<D>(sj + R_AT), g);
       if (VISCOUS || TENSILE) inertia[m] = load(kj + Kin::MASS);
       if (RATES) {
         const Pack x = d[m].expanded_x();
         l_i[m] = x * times(rate, d[m].spread_x());
-        l_j[m] = x * times(load_tensor<D>(sj + r_at), d[m].spread_x());
+        l_j[m] = x * times(load_tensor<D>(sj + L_AT), d[m].spread_x());
       }
     }
     if (!VISCOUS && !TENSILE) continue;
@@ -371,9 +378,9 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
         vr = jump_left<FORM>(vr, sums(l_i[0], l_i[1], l_i[2], l_i[3]),
                              sums(l_j[0], l_j[1], l_j[2], l_j[3]), on);
       const Pack mu = approach_rate(vr, r2, h);
-      Pack q = inertia[0] * monaghan_pi(opt.a1, opt.a2, c, rho, mu) * F;
+      Pack q = inertia[0] * monaghan_pi(a1, a2, c, rho, mu) * F;
       if (FORM == PairForm::SWITCHED) q *= on;
-      if (keep) store(&pull[k], q);    // m_j Pi_ij F_ij
+      if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij
       if (correct) q = where_positive(state[3], ok_i * q, zero);
       const Spread each(-q);
       for (int m = 0; m < BLOCK; m++) viscous = multiply_add(each[m], d[m].x(), viscous);
@@ -410,29 +417,34 @@ template <int D> void EulerianSweeps<D>::near_weights(int i)
 // stress power K_i T_i : sum_j K_j (u_j - u_i) (x) g: the sigma_i half of
 // eq. 20, exact adjoint of the force
 
-template <int D> typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
+template <int D>
+void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
 {
-  const bool pulls = Base::heats_pairs();
-  if (opt.tensile) return pulls ? pair_power<true, true>(i) : pair_power<false, true>(i);
-  return pulls ? pair_power<true, false>(i) : pair_power<false, false>(i);
+  with_flags(Base::heats_pairs(), opt.tensile, [&](auto pull, auto tensile) {
+    Base::sum_heat(list, heat, book, [this](int i) {
+      return pair_power<decltype(pull)::value, decltype(tensile)::value>(i);
+    });
+  });
 }
 
 template <int D>
 template <bool PULL, bool TENSILE>
 typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
-  const double *si = str(i);
+  constexpr int R_AT = extra(0);
+  const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
+  const int stride = stress_stride;
   const Motion<D> own(kin(i));
   Several<D> gradient = Several<D>::zero(), crowded = gradient;
   Pack viscous(0.0);
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
     const int *j = &pairs.j[k];
     const Spread factor(-load(&pairs.factor[k])),
         tensile(load(TENSILE ? &crowd[k] : &pairs.factor[k])),
         pulled(load(PULL ? &pull[k] : &pairs.factor[k]));
     for (int m = 0; m < BLOCK; m++) {
-      const Motion<D> d = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
-      const Pack K_j = load_all(Addresses(srow.data(), j + m, stress_stride) + Str::K);
+      const Motion<D> d = own - Motion<D>(Addresses(kall, j + m, Kin::STRIDE));
+      const Pack K_j = load_all(Addresses(sall, j + m, stride) + Str::K);
       const Several<D> g = d.spread_x() * (K_j * factor[m]);
       add_outer(gradient, d.expanded_v(), g);
       if (TENSILE) add_outer(crowded, d.expanded_v(), g * tensile[m]);
@@ -440,7 +452,7 @@ typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
     }
   }
   double stress = contract(gradient, load_tensor<D>(si));
-  if (TENSILE) stress += contract(crowded, load_tensor<D>(si + extra(0)));
+  if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
   return {si[Str::K] * stress, 0.5 * own_weight(i) * Motion<D>::v_dot_x(viscous), 0.0};
 }
 

@@ -49,6 +49,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   int gradient(const Particles &, const NeighborRows &, double) override;
   void find_switch(const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
+  void heat(const Particles &, const NeighborRows &, double *, bool) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
   Overload find_overload(const NeighborRows &) const override;
   double memory_usage() const override;
@@ -118,7 +119,6 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   template <PairForm FORM, bool HOURGLASS> void force_row(const Particles &, int i);
   template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
-  typename Base::Power pair_power(int i) const override;
   template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;
 };
 
@@ -242,15 +242,17 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
 
 template <int D> void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
 {
+  const double *kall = krow.data();
   const Motion<D> own(kin(i));
   Several<D> displacement = Several<D>::zero(), velocity = Several<D>::zero();
 
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
+    const int *j = &pairs.j[k];
     const Spread factor(load(&pairs.factor[k]));
     for (int m = 0; m < BLOCK; m++) {
       const Addresses X = separations(k + m);
       const Several<D> spread = load_spread<D>(X), g = spread * factor[m];    // V0_j g_ij
-      Motion<D> d = Motion<D>(Addresses(krow.data(), &pairs.j[k + m], Kin::STRIDE)) - own;
+      Motion<D> d = Motion<D>(Addresses(kall, j + m, Kin::STRIDE)) - own;
       d.move_by(X, spread);    // x_j - x_i + X_i - X_j = u_j - u_i
       add_outer(displacement, d.expanded_x(), g);
       add_outer(velocity, d.expanded_v(), g);
@@ -369,36 +371,41 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
-  const double *si = str(i);
-  const int c_at = at_C(), r_at = at_rate();
+  constexpr int C_AT = extra(0), R_AT = extra(VISCOUS ? 1 : 0),
+                STRIDE = extra((VISCOUS ? 1 : 0) + (RATES ? 1 : 0));    // of a stress row
+  const double *kall = krow.data(), *sall = srow.data(), *si = sall + std::ptrdiff_t(i) * STRIDE;
+  const double *near = nearness.data(), *factors = pairs.factor.data();
+  double *damping = damp.data(), *pulls = pull.data();
   const Motion<D> own(kin(i));
-  const Several<D> T = load_tensor<D>(si), C = load_tensor<D>(VISCOUS ? si + c_at : si),
-                   rate = load_tensor<D>(RATES ? si + r_at : si);
+  const Several<D> T = load_tensor<D>(si), C = load_tensor<D>(VISCOUS ? si + C_AT : si),
+                   rate = load_tensor<D>(RATES ? si + R_AT : si);
   const bool keep = keeps_pairs(), correct = needs_correction();
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
   const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
+  const double a1 = opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
   Pack stress = zero, viscous = zero, hourglass = zero, mu_least = zero;
 
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
+    const int *j = &pairs.j[k];
     Motion<D> d[BLOCK];
     Pack along[BLOCK], l_i[BLOCK], l_j[BLOCK], state[BLOCK];    // lanes yet to be summed
-    const Pack F = load(&pairs.factor[k]);
+    const Pack F = load(factors + k);
     const Spread factor(F);
     for (int m = 0; m < BLOCK; m++) {
-      const Addresses sj(srow.data(), &pairs.j[k + m], stress_stride);
+      const Addresses sj(sall, j + m, STRIDE);
       const Several<D> X = load_spread<D>(separations(k + m)), g = X * factor[m];
       add_times<D>(stress, T + load_tensor<D>(sj), g);
       if (!VISCOUS && !HOURGLASS) continue;
-      d[m] = own - Motion<D>(Addresses(krow.data(), &pairs.j[k + m], Kin::STRIDE));
+      d[m] = own - Motion<D>(Addresses(kall, j + m, Kin::STRIDE));
       const Pack x = d[m].expanded_x();
       state[m] = load(sj + Str::K);
-      if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + c_at), g);
+      if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + C_AT), g);
       if (BOTH) {
         l_i[m] = x * times(rate, X);
-        l_j[m] = x * times(load_tensor<D>(sj + r_at), X);
+        l_j[m] = x * times(load_tensor<D>(sj + R_AT), X);
       } else if (RATES)
-        l_i[m] = x * times(rate + load_tensor<D>(sj + r_at), X);
+        l_i[m] = x * times(rate + load_tensor<D>(sj + R_AT), X);
     }
     if (!VISCOUS && !HOURGLASS) continue;
 
@@ -410,22 +417,22 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
     if (RATES) li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
     if (BOTH) lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
     if (HOURGLASS) {
-      const Pack impedance = 0.5 * opt.hourglass * (si[Str::K] + state[0]);
+      const Pack impedance = damping_share * (si[Str::K] + state[0]);
       const Pack s = impedance * F * (vr - 0.5 * (li + lj)) * inv_r2;
-      store(&damp[k], s);
+      store(damping + k, s);
       const Spread each(s);
       for (int m = 0; m < BLOCK; m++) hourglass = multiply_add(each[m], d[m].x(), hourglass);
     }
     if (VISCOUS) {
       const Pack on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Pack(1.0);
       vr = jump_left<FORM>(vr, li, lj, on);
-      const Pack mu = minimum(vr, zero) * load(&nearness[k]) * square_root(r2) * inv_r2;
+      const Pack mu = minimum(vr, zero) * load(near + k) * square_root(r2) * inv_r2;
       const Pack rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
-      Pack Pi = rho * mu * (opt.a2 * mu - opt.a1 * c);
+      Pack Pi = rho * mu * (a2 * mu - a1 * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
       const Pack G = 0.5 * sums(along[0], along[1], along[2], along[3]);
       Pack s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
-      if (keep) store(&pull[k], s);
+      if (keep) store(pulls + k, s);
       if (correct) s = where_positive(state[3], ok_i * s, zero);
       const Spread each(-s);
       for (int m = 0; m < BLOCK; m++) viscous = multiply_add(each[m], d[m].x(), viscous);
@@ -467,25 +474,30 @@ template <int D> void LagrangianSweeps<D>::near_weights(int i)
 
 // stress: V0_i T_i : sum_j V0_j (u_j - u_i) (x) g, exact adjoint of the force
 
-template <int D> typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
+template <int D>
+void LagrangianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
 {
-  const bool pulls = Base::heats_pairs();
-  if (opt.hourglass > 0.0) return pulls ? pair_power<true, true>(i) : pair_power<false, true>(i);
-  return pulls ? pair_power<true, false>(i) : pair_power<false, false>(i);
+  with_flags(Base::heats_pairs(), opt.hourglass > 0.0, [&](auto pull, auto damp) {
+    Base::sum_heat(list, heat, book, [this](int i) {
+      return pair_power<decltype(pull)::value, decltype(damp)::value>(i);
+    });
+  });
 }
 
 template <int D>
 template <bool PULL, bool DAMP>
 typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
 {
+  const double *kall = krow.data();
   const Motion<D> own(kin(i));
   Several<D> gradient = Several<D>::zero();
   Pack viscous(0.0), hourglass(0.0);
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
+    const int *j = &pairs.j[k];
     const Pack F = load(&pairs.factor[k]);
     const Spread factor(F), pulled(PULL ? load(&pull[k]) : F), damped(DAMP ? -load(&damp[k]) : F);
     for (int m = 0; m < BLOCK; m++) {
-      const Motion<D> d = Motion<D>(Addresses(krow.data(), &pairs.j[k + m], Kin::STRIDE)) - own;
+      const Motion<D> d = Motion<D>(Addresses(kall, j + m, Kin::STRIDE)) - own;
       add_outer(gradient, d.expanded_v(), load_spread<D>(separations(k + m)) * factor[m]);
       if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
       if (DAMP) hourglass = multiply_add(damped[m], d.products(), hourglass);

@@ -173,8 +173,11 @@ template <int D> inline Pack SweepsBase<D>::near_force(int i, int pair, const Mo
    energy is constant to rounding for any displacement that the kick makes
 ------------------------------------------------------------------------- */
 
+// of_row(i): the Power of the pairs of i
+
 template <int D>
-void SweepsBase<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
+template <class OfRow>
+void SweepsBase<D>::sum_heat(const NeighborRows &list, double *heat, bool book, OfRow of_row)
 {
   mirror_vectors(&krow[Kin::V], Kin::STRIDE);
   double viscous = 0.0, standard = 0.0, damped = 0.0;
@@ -183,7 +186,7 @@ void SweepsBase<D>::heat(const Particles &, const NeighborRows &list, double *he
 #endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
-    const Power power = pair_power(i);
+    const Power power = of_row(i);
     double q = power.viscous;
     if (needs_correction()) {
       // what the standard viscosity would heat: q has all of it for eq. 30,

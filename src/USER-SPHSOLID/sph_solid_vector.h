@@ -457,8 +457,17 @@ inline double sum(Pack a)
 
 inline double least(Pack a)
 {
+#if defined(SPHSOLID_AVX512)
+  const Native n = a.native(),
+               m = native_where_positive(_mm512_shuffle_f64x2(n, n, 0x4E) - n, n,
+                                         _mm512_shuffle_f64x2(n, n, 0x4E));
+  a = Pack(m);
+  const int count = BLOCK;
+#else
+  const int count = LANES;
+#endif
   double least = a[0];
-  for (int k = 1; k < LANES; k++) least = a[k] < least ? a[k] : least;
+  for (int k = 1; k < count; k++) least = a[k] < least ? a[k] : least;
   return least;
 }
 
