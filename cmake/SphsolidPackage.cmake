@@ -13,6 +13,7 @@
 
 include_guard(GLOBAL)
 include(CheckCXXCompilerFlag)
+include(CheckCXXSourceCompiles)
 
 get_filename_component(SPHSOLID_ROOT ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 set_property(GLOBAL PROPERTY SPHSOLID_ROOT ${SPHSOLID_ROOT})
@@ -95,9 +96,26 @@ function(sphsolid_add_flags lmp_version)
       string(SUBSTRING ${machine} 0 8 machine)
       target_compile_definitions(sphsolid_flags INTERFACE SPHSOLID_MACHINE=0x${machine})
     endif()
-    message(STATUS "USER-SPHSOLID instruction set: ${SPHSOLID_ARCH}")
+    set(set_name ${SPHSOLID_ARCH})
   else()
-    message(STATUS "USER-SPHSOLID instruction set: the compiler's default")
+    set(set_name "the compiler's default")
+  endif()
+
+  # as sph_solid_vector.h decides
+  string(MAKE_C_IDENTIFIER "SPHSOLID_EIGHT_LANES_${SPHSOLID_ARCH}" eight)
+  set(CMAKE_REQUIRED_FLAGS ${flags})
+  list(FILTER CMAKE_REQUIRED_FLAGS INCLUDE REGEX "^-march")
+  check_cxx_source_compiles("
+    #if !defined(__AVX512F__) || !defined(__AVX512DQ__)
+    #error four lanes
+    #endif
+    int main() { return 0; }" ${eight})
+  unset(CMAKE_REQUIRED_FLAGS)
+  set_property(GLOBAL PROPERTY SPHSOLID_EIGHT_LANES ${${eight}})
+  if(${eight})
+    message(STATUS "USER-SPHSOLID instruction set: ${set_name}, eight doubles in a vector")
+  else()
+    message(STATUS "USER-SPHSOLID instruction set: ${set_name}, four doubles in a vector")
   endif()
   target_compile_options(sphsolid_flags INTERFACE ${flags})
 endfunction()

@@ -18,6 +18,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "group.h"
 #include "memory.h"
 #include "modify.h"
 #include "pair_sph_solid.h"
@@ -41,7 +42,7 @@ FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) :
   time_integrate = 1;
   dynamic_group_allow = 1;
   restart_global = 1;
-  leading = false;
+  leading = heat_on_the_way = false;
   dt_pending = 0.0;
   fingerprint = 0;
   nmax = 0;
@@ -54,7 +55,7 @@ FixSPHSolid::~FixSPHSolid()
 
 int FixSPHSolid::setmask()
 {
-  return INITIAL_INTEGRATE | FINAL_INTEGRATE;
+  return INITIAL_INTEGRATE | FINAL_INTEGRATE | PRE_EXCHANGE;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -78,10 +79,40 @@ void FixSPHSolid::init()
     error->all(FLERR, "Fix sph/solid works with run_style verlet, not with {}",
                update->integrate_style);
   leading = (leader(lmp) == this);
+  heat_on_the_way = leading && pair->has_energy() && moves_alone();
+  if (leading) heat_on_the_way = pair->keep_heat(heat_on_the_way);
   if (dt_pending > 0.0 && fingerprint != 0 && fingerprint == velocity_fingerprint())
     pair->continue_from_half_step();
   else
     dt_pending = 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   from one force evaluation to the next, do velocities change by our kicks only, and
+   positions by our drift?  Fixes that act on forces do no harm
+------------------------------------------------------------------------- */
+
+bool FixSPHSolid::moves_alone() const
+{
+  int others = 0, others_all = 0, moved_by_us = 0;
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix *fix = modify->fix[k];
+    if (utils::strmatch(fix->style, "^sph/solid") || utils::strmatch(fix->style, "^SPH/SOLID")) {
+      if (strcmp(fix->style, "sph/solid") == 0) moved_by_us |= fix->groupbit;
+      if (group->dynamic[fix->igroup]) others = 1;
+      continue;
+    }
+    const int between = INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE;
+    if ((modify->fmask[k] & between) || (fix->box_change & ~BOX_CHANGE_DOMAIN)) others = 1;
+    // one that adds, removes or moves particles to other ranks must not come first
+    if ((modify->fmask[k] & PRE_EXCHANGE) && k < modify->find_fix(id)) others = 1;
+  }
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *v = atom->v[i];
+    if (!(atom->mask[i] & moved_by_us) && (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0)) others = 1;
+  }
+  MPI_Allreduce(&others, &others_all, 1, MPI_INT, MPI_MAX, world);
+  return others_all == 0;
 }
 
 void FixSPHSolid::setup(int)
@@ -142,7 +173,12 @@ bigint FixSPHSolid::velocity_fingerprint() const
 
 void FixSPHSolid::initial_integrate(int)
 {
-  if (leading && pair->has_energy()) add_heat();
+  if (leading && pair->has_energy()) {
+    if (heat_on_the_way)
+      pair->leave_heat(0.25 * (dt_pending + update->dt), update->dt);
+    else
+      add_heat();
+  }
   kick(0.5 * update->dt * force->ftm2v);
 
   double **x = atom->x, **v = atom->v;
@@ -158,6 +194,13 @@ void FixSPHSolid::initial_integrate(int)
     x[i][1] += dt * v[i][1];
     if (three) x[i][2] += dt * v[i][2];
   }
+}
+
+// neighbors are about to be new, and with them all that the last force evaluation left behind
+
+void FixSPHSolid::pre_exchange()
+{
+  if (leading) pair->add_left_heat();
 }
 
 void FixSPHSolid::final_integrate()

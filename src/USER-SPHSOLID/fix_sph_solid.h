@@ -32,6 +32,7 @@ class FixSPHSolid : public Fix {
   void init() override;
   void setup(int) override;
   void initial_integrate(int) override;
+  void pre_exchange() override;
   void final_integrate() override;
   void post_run() override;
   int modify_param(int, char **) override;
@@ -51,13 +52,15 @@ class FixSPHSolid : public Fix {
  private:
   class PairSPHSolid *pair;
   bool leading;
-  double dt_pending;    // time step of the half kick that is not heated yet
-  double *heat;         // of own atoms, scratch
+  bool heat_on_the_way;    // the heat of a step is left to the next force evaluation
+  double dt_pending;       // time step of the half kick that is not heated yet
+  double *heat;            // of own atoms, scratch
   int nmax;
 
   bigint fingerprint;    // of all velocities when the last run ended
 
   bigint velocity_fingerprint() const;
+  bool moves_alone() const;
   void add_heat();
   void take_up(const double *);
   void settle();

@@ -403,6 +403,26 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool 
   sweeps->heat(p, rows(), heat, book);
 }
 
+bool PairSPHSolid::keep_heat(bool wanted)
+{
+  sweeps->keeps_heat = wanted && sweeps->can_keep_heat();
+  return sweeps->keeps_heat;
+}
+
+void PairSPHSolid::leave_heat(double factor, double drift)
+{
+  sweeps->due = {factor, drift};
+}
+
+void PairSPHSolid::add_left_heat()
+{
+  if (!(sweeps->due.factor > 0.0)) return;
+  comm->forward_comm();    // as if this were a step without new neighbors
+  const Particles p = particles();
+  sweeps->pack_kinematics(p, p.v);
+  sweeps->add_due_heat(p, rows());
+}
+
 double PairSPHSolid::time_step_limit() const
 {
   return sweeps->time_step_limit(particles(), rows());

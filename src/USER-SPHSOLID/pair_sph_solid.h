@@ -59,6 +59,13 @@ class PairSPHSolid : public Pair {
   // v_scale*v + a_scale*f/m; book: count it in the energy ledger
   void pair_heat(double v_scale, double a_scale, double *heat, bool book);
 
+  // the same, found on the way where the frame can (sph_solid_sweeps.h): keep_heat() before a
+  // run says whether it can; leave_heat() before the kick leaves it to the next evaluation;
+  // add_left_heat() after the drift adds what was left so, if there is any
+  bool keep_heat(bool);
+  void leave_heat(double factor, double drift);
+  void add_left_heat();
+
   // stop unless the last force evaluation belongs to the particles as they are;
   // what: what needs it, for the message
   void require_current(const char *what) const;

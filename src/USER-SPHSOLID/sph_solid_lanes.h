@@ -207,8 +207,22 @@ template <> struct Motion<2> {
   Pack expanded_v() const { return shuffle<2, 2, 3, 3>(xv); }
   Several<2> spread_x() const { return {shuffle<0, 1, 0, 1>(xv)}; }
 
+  // where it was a drift before; drift: from drift_of()
+  Motion before(Pack drift) const
+  {
+    Motion d;
+    d.xv = xv - drift * shuffle<2, 3, 2, 3>(xv);
+    return d;
+  }
+  static Pack drift_of(double t) { return shuffle<0, 1, 4, 5>(Pack(t), Pack(0.0)); }
+
   // products with x, summed: over lanes 0 and 1 x.x, over the others v.x
   Pack products() const { return xv * shuffle<0, 1, 0, 1>(xv); }
+  // the same, over the others only, with the velocities of one less those of another
+  Pack products_less(const Motion &other) const
+  {
+    return (xv - other.xv) * shuffle<0, 1, 0, 1>(xv);
+  }
   static double v_dot_x(Pack products)
   {
     const Pack s = sum_of_blocks(products);
@@ -247,8 +261,18 @@ template <> struct Motion<3> {
             shuffle<2, 2, 2, 2>(position)};
   }
 
+  Motion before(Pack drift) const
+  {
+    Motion d;
+    d.position = position - drift * velocity;
+    d.velocity = velocity;
+    return d;
+  }
+  static Pack drift_of(double t) { return Pack(t); }
+
   // of v.x only
   Pack products() const { return velocity * position; }
+  Pack products_less(const Motion &other) const { return (velocity - other.velocity) * position; }
   static double v_dot_x(Pack products) { return sum(products); }
   static void dots(const Motion *d, Pack &xx, Pack &vx)
   {
@@ -267,39 +291,20 @@ template <int D> struct Few {
 
 template <int D> inline Pack load_few(const double *rows, const int *j, int stride)
 {
-  auto row = [=](int n) {
-    return rows + static_cast<std::ptrdiff_t>(j[n]) * stride;
-  };
-#if defined(SPHSOLID_AVX512)
-  if constexpr (D == 2) {
-    auto two = [&](int n) {
-      return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(row(n))),
-                                  _mm_loadu_pd(row(n + 1)), 1);
-    };
-    return Pack(_mm512_insertf64x4(_mm512_castpd256_pd512(two(0)), two(2), 1));
-  }
-#endif
+  const double *row[Few<D>::N];
+  for (int n = 0; n < Few<D>::N; n++) row[n] = rows + static_cast<std::ptrdiff_t>(j[n]) * stride;
   if constexpr (D == 2)
-    return pack_of([&](int n) {
-      return row(n / 2)[n % 2];
-    });
+    return load_twos(row);
   else
-    return load(Addresses(row(0), row(BLOCKS - 1)));
+    return load(Addresses(row[0], row[BLOCKS - 1]));
 }
 
 // N weights, each as often as its vector has lanes
 
 template <int D> inline Pack load_few_weights(const double *w)
 {
-#if defined(SPHSOLID_AVX512)
   if constexpr (D == 2)
-    return Pack(_mm512_permutexvar_pd(_mm512_set_epi64(3, 3, 2, 2, 1, 1, 0, 0),
-                                      _mm512_castpd256_pd512(_mm256_loadu_pd(w))));
-#endif
-  if constexpr (D == 2)
-    return pack_of([&](int n) {
-      return w[n / 2];
-    });
+    return load_each_twice(w);
   else
     return load_all(Addresses(w, w + BLOCKS - 1));
 }

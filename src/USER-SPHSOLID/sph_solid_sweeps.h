@@ -101,6 +101,17 @@ struct Ledger {
   double hourglass = 0.0;       // heat of the hourglass damping
 };
 
+// Heat on the way.  The work of the pair forces of an evaluation on the kick from v to v' is
+// that on the displacements factor (v + v'), factor = (dt1 + dt2)/4 with the steps before and
+// after.  It is linear in velocities: the sweeps that find the forces find the share of v, and
+// the gradient sweep of the next evaluation, which reads v' anyway, the share of v'.  Where
+// kernel gradients are constant that takes no sweep of its own
+
+struct HeatDue {
+  double factor = 0.0;    // (dt1 + dt2)/4, 0: nothing is due [time]
+  double drift = 0.0;     // particles have moved by drift v' since the evaluation [time]
+};
+
 class Sweeps {
  public:
   virtual ~Sweeps() = default;
@@ -110,6 +121,8 @@ class Sweeps {
   Images images;
   int nthreads = 1;
   Ledger ledger;
+  HeatDue due;                // for the next gradient sweep, which adds it to p.e and clears it
+  bool keeps_heat = false;    // the share of v is to be found, where can_keep_heat()
 
   // neighbor lists are new: find images, size the storage.  reach: largest
   // cutoff with skin
@@ -146,6 +159,10 @@ class Sweeps {
   // moves by u[i] (own and ghost rows set by set_displacement)
   virtual double *displacement(int i) = 0;    // D doubles
   virtual void heat(const Particles &, const NeighborRows &, double *heat, bool book) = 0;
+
+  virtual bool can_keep_heat() const { return false; }
+  // the share that the next gradient sweep would add, to the same bits: before rows change
+  virtual void add_due_heat(const Particles &, const NeighborRows &) {}
 
   // minus the pair forces' virial, sum of r_ij f_ij over pairs, 6 numbers
   virtual void virial(const Particles &, const NeighborRows &, double *six) = 0;

@@ -31,6 +31,9 @@ constexpr int INDEX_MASK = 0x1FFFFFFF;
 // both are the two halves of one particle
 constexpr double COINCIDE = 1.0e-6;
 
+// a sweep asks for the data of pairs so many pairs ahead
+constexpr int PAIRS_AHEAD = 64;
+
 // call with the form of the pair viscosity as a constant
 
 template <class Call> void with_form(PairForm form, Call call)
@@ -87,7 +90,7 @@ template <int D> class SweepsBase : public Sweeps {
   double *viscosity_switch(int i) override { return str(i) + Str::SWITCH; }
   void mirror_switch() override;
   bool needs_correction() const override { return opt.viscosity == Viscosity::CORRECT; }
-  double *viscous_acceleration(int i) override { return &da[i * VECTOR]; }
+  double *viscous_acceleration(int i) override { return &da[i * da_stride]; }
   void correction(const Particles &, const NeighborRows &) override;
   double *displacement(int i) override { return &krow[i * Kin::STRIDE + Kin::V]; }
   double time_step_limit(const Particles &, const NeighborRows &) const override;
@@ -108,6 +111,7 @@ template <int D> class SweepsBase : public Sweeps {
   int nown = 0, nparticles = 0, nrows = 0;    // own; own and ghost; with images
 
   Rows krow, srow, da;           // rows of kinematics, stress, da
+  int da_stride = VECTOR;        // da, and with heat on the way the velocity that belongs to it
   std::vector<double> mu_max;    // largest approach rate of own particles
   std::vector<double> work;      // plastic work of this step, own
   Pairs pairs;
@@ -200,6 +204,7 @@ template <int D> class SweepsBase : public Sweeps {
   void write_rows(const Batch &, const Points &, const Tensor<D, Pack> &T, Pack K, Pack nsum);
   void write_tensors(const Batch &, int at, const Tensor<D, Pack> &);
   static int unphysical(const Batch &, Pack rho, Pack others);
+  void prefetch_points(const Particles &, const Batch &) const;
 
   // is the viscous force of every pair kept for heat?
   bool keeps_pairs() const
@@ -218,11 +223,11 @@ template <int D> class SweepsBase : public Sweeps {
   // behind the last one weights are 0
   template <class F> void each_few(int i, F call) const
   {
-    const Pack own = load_few<D>(&da[i * VECTOR]);
+    const Pack own = load_few<D>(&da[i * da_stride]);
     const int first = pairs.first[i], end = first + pairs.nearest[i];
     for (int k = first; k < end; k += Few<D>::N) {
       const int *j = &pairs.j[k];
-      call(load_few_weights<D>(&near_weight[k]), j, own - load_few<D>(da.data(), j, VECTOR));
+      call(load_few_weights<D>(&near_weight[k]), j, own - load_few<D>(da.data(), j, da_stride));
     }
   }
   // correction weights of row i, m_wbar(k) being m_j Wbar of pairs k to k + LANES - 1
@@ -257,6 +262,17 @@ template <int D> class SweepsBase : public Sweeps {
   };
   template <class OfRow> void sum_heat(const NeighborRows &, double *, bool book, OfRow of_row);
   double heat_correction(int i) const;
+  double standard_power(int i) const;
+
+  // of heat on the way: power of own particles with the velocities of the last evaluation, and sums
+  // of it as the ledger has them
+  struct Totals {
+    double viscous = 0.0, standard = 0.0, hourglass = 0.0;
+  };
+  std::vector<double> early;
+  Totals early_totals;
+  bool on_the_way() const { return this->keeps_heat && this->can_keep_heat(); }
+  void enter(const Totals &, double factor);
   Pack central_correction(int i);
   Pack near_force(int i, int pair, const Motion<D> &d) const;
   template <class OfRow> void sum_virial(const NeighborRows &, double *six, OfRow of_row) const;
@@ -277,8 +293,10 @@ template <int D> void SweepsBase<D>::size_rows(const Particles &p, const Neighbo
   nrows = p.nall + (images.any() ? images.count() : 0);
   krow.resize(static_cast<std::size_t>(nrows) * Kin::STRIDE);
   srow.resize(static_cast<std::size_t>(nrows) * stress_stride);
-  if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * VECTOR);
+  da_stride = on_the_way() ? 2 * VECTOR : VECTOR;
+  if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * da_stride);
   mu_max.assign(p.nlocal, 0.0);
+  if (on_the_way()) early.assign(p.nlocal, 0.0);
   work.assign(p.nlocal, 0.0);
   pairs.first.assign(p.nlocal + 1, 0);
   pairs.count.assign(p.nlocal, 0);
@@ -481,6 +499,18 @@ void SweepsBase<D>::write_tensors(const Batch &batch, int at, const Tensor<D, Pa
     store_tensor(batch.rows(srow.data(), m, stress_stride) + at, rows[m]);
 }
 
+// what the next batch needs, if it lies behind this one
+
+template <int D> void SweepsBase<D>::prefetch_points(const Particles &p, const Batch &batch) const
+{
+  const int next = batch.i[0] + LANES;
+  if (next + LANES > nown) return;
+  prefetch(p.stress[next], 6 * LANES);
+  prefetch(str(next), LANES * stress_stride);
+  const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume, work.data()};
+  for (const double *array : arrays) prefetch(array + next, LANES);
+}
+
 // a particle whose density is not positive, or another number of whom is not
 // finite; or -1
 
@@ -568,8 +598,8 @@ template <int D> double SweepsBase<D>::retained_viscosity() const
 template <int D> double SweepsBase<D>::memory_usage() const
 {
   const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
-      mu_max.capacity() + work.capacity() + pull.capacity() + pairs.factor.capacity() +
-      near_weight.capacity() + near_pull.capacity();
+      mu_max.capacity() + early.capacity() + work.capacity() + pull.capacity() +
+      pairs.factor.capacity() + near_weight.capacity() + near_pull.capacity();
   const std::size_t ints = pairs.first.capacity() + pairs.count.capacity() +
       pairs.nearest.capacity() + pairs.j.capacity() + image_first.capacity() + image_j.capacity();
   return static_cast<double>(doubles * sizeof(double) + ints * sizeof(int));

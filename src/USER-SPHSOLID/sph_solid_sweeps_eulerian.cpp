@@ -37,10 +37,11 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
 
  private:
   using Base = SweepsBase<D>;
-  using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
-      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_weight,
-      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow,
-      Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull, Base::work;
+  using Base::da, Base::da_stride, Base::extra, Base::image_first, Base::image_j, Base::images,
+      Base::keeps_pairs, Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max,
+      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
+      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull,
+      Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -203,6 +204,7 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
 #endif
     for (int first = 0; first < list.inum; first += LANES) {
       const typename Base::Batch batch(list, first);
+      Base::prefetch_points(p, batch);
       Sums sums;
       for (int m = 0; m < LANES; m++) {
         if (first + m < list.inum) find_pairs(batch.i[m], list, s);
@@ -341,6 +343,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     const int *j = &pairs.j[k];
     Motion<D> d[BLOCK];
     Pack state[BLOCK], inertia[BLOCK], tensile[BLOCK], l_i[BLOCK], l_j[BLOCK];
+    prefetch(factors + k + PAIRS_AHEAD, LANES);
     const Pack F = load(factors + k);
     const Spread factor(F);
     for (int m = 0; m < BLOCK; m++) {
@@ -394,7 +397,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
   for (int a = 0; a < D; a++) {
     p.f[i][a] += K * folded<D>(stress, a);
     if (VISCOUS && correct)
-      da[i * VECTOR + a] = viscous[a];
+      da[i * da_stride + a] = viscous[a];
     else if (VISCOUS)
       p.f[i][a] += mass * viscous[a];
   }

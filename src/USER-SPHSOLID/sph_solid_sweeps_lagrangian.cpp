@@ -56,11 +56,11 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
 
  private:
   using Base = SweepsBase<D>;
-  using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
-      Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max, Base::near_weight,
-      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::separation,
-      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass,
-      Base::whole_pull, Base::work;
+  using Base::da, Base::da_stride, Base::early, Base::early_totals, Base::extra, Base::image_first,
+      Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::ledger,
+      Base::lonely, Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads,
+      Base::opt, Base::pairs, Base::pull, Base::separation, Base::srow, Base::str,
+      Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass, Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -83,6 +83,13 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   int at_C() const { return extra(0); }
   int at_rate() const { return extra(viscous() ? 1 : 0); }
 
+  bool can_keep_heat() const override
+  {
+    if (!opt.energy) return false;
+    return !needs_correction() ||
+        (opt.weights == Weights::CONSERVATIVE && opt.heating == Heating::COMPATIBLE);
+  }
+  void add_due_heat(const Particles &, const NeighborRows &) override;
   bool constant_weights() const override { return true; }
   double own_weight(int i) const override { return kin(i)[Kin::VOLUME]; }
   double switch_weight(int) const override { return 1.0; }    // the factor has V0_j
@@ -100,6 +107,11 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
     const int at[] = {k, 0, 0, 0, k + BLOCK};
     return Addresses(sep.data(), at, D);
   }
+  void prefetch_pairs(int k) const
+  {
+    prefetch(sep.data() + (k + PAIRS_AHEAD) * D, LANES * D);
+    prefetch(pairs.factor.data() + k + PAIRS_AHEAD, LANES);
+  }
   // one of own particles' tensors
   static constexpr int TENSOR = Blocks<D>::TENSOR;
   static Tensor<D> tensor(const Rows &rows, int i)
@@ -110,13 +122,28 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
     return t;
   }
 
-  // of a batch: sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
+  // of a row, of the heat that is due: what viscosity, correction and hourglass damping of pairs
+  // give, up to factors of the row
+  struct LateHeat {
+    Motion<D> kick;    // da and the velocity that belongs to it
+    Pack drift, viscous, corrected, hourglass;
+  };
+  // of a batch: sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g; of the heat that is due, the
+  // viscous part and that of the hourglass damping
   struct Sums {
     Several<D> displacement[LANES], velocity[LANES];
+    double viscous[LANES] = {}, hourglass[LANES] = {};
   };
-  void accumulate(int i, Sums &, int lane) const;
-  int update(const Particles &, const typename Base::Batch &, double dt);
-  template <PairForm FORM, bool HOURGLASS> void force_row(const Particles &, int i);
+  template <bool LATE> void accumulate(int i, Sums &, int lane) const;
+  void add_late_pairs(const int *j, int k, bool nearest, const Motion<D> *d, LateHeat &) const;
+  template <bool LATE>
+  int update(const Particles &, const typename Base::Batch &, int n, double dt,
+             typename Base::Totals &);
+  double late_lonely_power(int i) const;
+  void add_late_heat(const Particles &, const typename Base::Batch &, int n,
+                     const Tensor<D, Pack> &velocity, Sums &, typename Base::Totals &) const;
+  template <class Call> void each_batch(const NeighborRows &, Call);
+  template <PairForm FORM, bool HOURGLASS> typename Base::Power force_row(const Particles &, int i);
   template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
   void near_weights(int i) override;
   template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;
@@ -240,51 +267,188 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
    gradient sweep
 ------------------------------------------------------------------------- */
 
-template <int D> void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
+template <int D>
+template <bool LATE>
+void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
 {
   const double *kall = krow.data();
   const Motion<D> own(kin(i));
   Several<D> displacement = Several<D>::zero(), velocity = Several<D>::zero();
+  LateHeat heat;
+  const int start = pairs.first[i], end_nearest = start + pairs.nearest[i];
+  if (LATE) {
+    heat.drift = Motion<D>::drift_of(this->due.drift);
+    heat.viscous = heat.corrected = heat.hourglass = Pack(0.0);
+    if (needs_correction()) heat.kick = Motion<D>(&da[i * da_stride]);
+  }
 
-  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
+  for (int k = start, end = start + pairs.count[i]; k < end; k += LANES) {
     const int *j = &pairs.j[k];
+    prefetch_pairs(k);
+    if (LATE) prefetch(damp.data() + k + PAIRS_AHEAD, LANES);
     const Spread factor(load(&pairs.factor[k]));
+    Motion<D> d[BLOCK];
     for (int m = 0; m < BLOCK; m++) {
+      d[m] = Motion<D>(Addresses(kall, j + m, Kin::STRIDE)) - own;
       const Addresses X = separations(k + m);
       const Several<D> spread = load_spread<D>(X), g = spread * factor[m];    // V0_j g_ij
-      Motion<D> d = Motion<D>(Addresses(kall, j + m, Kin::STRIDE)) - own;
-      d.move_by(X, spread);    // x_j - x_i + X_i - X_j = u_j - u_i
-      add_outer(displacement, d.expanded_x(), g);
-      add_outer(velocity, d.expanded_v(), g);
+      Motion<D> moved = d[m];
+      moved.move_by(X, spread);    // x_j - x_i + X_i - X_j = u_j - u_i
+      add_outer(displacement, moved.expanded_x(), g);
+      add_outer(velocity, moved.expanded_v(), g);
     }
+    if (LATE) add_late_pairs(j, k, k < end_nearest, d, heat);
   }
   sums.displacement[lane] = displacement;
   sums.velocity[lane] = velocity;
+  if (!LATE) return;
+  const double half = 0.5 * kin(i)[Kin::VOLUME];
+  sums.viscous[lane] = half * Motion<D>::v_dot_x(heat.viscous) -
+      0.25 * kin(i)[Kin::MASS] * Motion<D>::v_dot_x(heat.corrected);
+  sums.hourglass[lane] = -half * Motion<D>::v_dot_x(heat.hourglass);
+}
+
+// pairs k to k + LANES - 1, d: motion of j less that of i
+
+template <int D>
+inline void LagrangianSweeps<D>::add_late_pairs(const int *j, int k, bool nearest,
+                                                const Motion<D> *d, LateHeat &heat) const
+{
+  if (opt.hourglass > 0.0) {
+    const Spread damped(load(&damp[k]));
+    for (int m = 0; m < BLOCK; m++)
+      heat.hourglass = multiply_add(damped[m], d[m].before(heat.drift).products(), heat.hourglass);
+  }
+  if (Base::heats_pairs()) {
+    const Spread pulled(load(&pull[k]));
+    for (int m = 0; m < BLOCK; m++)
+      heat.viscous = multiply_add(pulled[m], d[m].before(heat.drift).products(), heat.viscous);
+  }
+  if (needs_correction() && nearest) {    // w_ij (da_i - da_j).(v_i - v_j + v'_i - v'_j)
+    const Spread weight(load(&near_weight[k]));
+    for (int m = 0; m < BLOCK; m++) {
+      const Motion<D> kick = heat.kick - Motion<D>(Addresses(da.data(), j + m, da_stride));
+      heat.corrected = multiply_add(weight[m], kick.products_less(d[m]), heat.corrected);
+    }
+  }
 }
 
 template <int D>
 int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, double dt)
 {
   std::atomic<int> bad(-1);
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int first = 0; first < list.inum; first += LANES) {
-    const int unphysical = update(p, typename Base::Batch(list, first), dt);
+  each_batch(list, [&](const typename Base::Batch &batch, int n, typename Base::Totals &totals) {
+    const bool late = this->due.factor > 0.0;
+    const int unphysical = late ? update<true>(p, batch, n, dt, totals)
+                                : update<false>(p, batch, n, dt, totals);
     if (unphysical >= 0) bad = unphysical;
-  }
+  });
   for (int ii = 0; ii < list.inum; ii++) ledger.plastic_work += work[list.ilist[ii]];
   return bad;
+}
+
+template <int D>
+void LagrangianSweeps<D>::add_due_heat(const Particles &p, const NeighborRows &list)
+{
+  each_batch(list, [&](const typename Base::Batch &batch, int n, typename Base::Totals &totals) {
+    Sums sums;
+    for (int m = 0; m < LANES; m++) accumulate<true>(batch.i[m], sums, m);
+    add_blocks<D>(sums.velocity);
+    add_late_heat(p, batch, n, lanes_of<D>(sums.velocity), sums, totals);
+  });
+}
+
+// call(batch, particles of it that count, totals of the heat that is due); after it nothing is due
+
+template <int D>
+template <class Call>
+void LagrangianSweeps<D>::each_batch(const NeighborRows &list, Call call)
+{
+  double viscous = 0.0, standard = 0.0, hourglass = 0.0;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads) \
+    reduction(+ : viscous, standard, hourglass)
+#endif
+  for (int first = 0; first < list.inum; first += LANES) {
+    typename Base::Totals t;
+    call(typename Base::Batch(list, first), std::min(LANES, list.inum - first), t);
+    viscous += t.viscous;
+    standard += t.standard;
+    hourglass += t.hourglass;
+  }
+  Base::enter(early_totals, this->due.factor);
+  Base::enter({viscous, standard, hourglass}, this->due.factor);
+  early_totals = {};
+  this->due = {};
+}
+
+// what the last evaluation's forces do to the particles of a batch, of whom n count in totals,
+// with the velocities of that evaluation plus these
+
+template <int D>
+void LagrangianSweeps<D>::add_late_heat(const Particles &p, const typename Base::Batch &batch,
+                                        int n, const Tensor<D, Pack> &velocity, Sums &sums,
+                                        typename Base::Totals &totals) const
+{
+  for (int m = 0; m < n; m++) {
+    const int i = batch.i[m];
+    if (needs_correction()) {
+      const double lone = late_lonely_power(i);
+      const double *kick = &da[i * da_stride];
+      totals.standard += lone;
+      for (int a = 0; a < D; a++)
+        totals.standard -= kin(i)[Kin::MASS] * kick[a] * (kick[VECTOR + a] + kin(i)[Kin::V + a]);
+      sums.viscous[m] += lone;
+    }
+    totals.viscous += sums.viscous[m];
+    totals.hourglass += sums.hourglass[m];
+  }
+  for (int m = n; m < LANES; m++) {    // the last one again
+    sums.viscous[m] = sums.viscous[n - 1];
+    sums.hourglass[m] = sums.hourglass[n - 1];
+  }
+  Several<D> rows[BLOCK];
+  for (int m = 0; m < BLOCK; m++)
+    rows[m] = load_tensor<D>(batch.rows(srow.data(), m, stress_stride) + Str::T);
+  const Pack V0 = batch.load(p.vref);
+  const Pack power = batch.load(early.data()) +
+      V0 * velocity.cwiseProduct(lanes_of<D>(rows)).sum() + load(sums.viscous) +
+      load(sums.hourglass);
+  batch.store(p.e, batch.load(p.e) + this->due.factor * power / batch.load(p.mass));
+}
+
+// half the work of the pairs that the correction left alone
+
+template <int D> double LagrangianSweeps<D>::late_lonely_power(int i) const
+{
+  if (!lonely) return 0.0;
+  double sum = 0.0;
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    const int j = pairs.j[k];
+    const double s = whole_pull(i, k);
+    for (int a = 0; a < D; a++) {
+      const double v = kin(i)[Kin::V + a] - kin(j)[Kin::V + a];
+      const double before = da[i * da_stride + VECTOR + a] - da[j * da_stride + VECTOR + a];
+      sum += s * (before + v) * (kin(i)[a] - kin(j)[a] - this->due.drift * v);
+    }
+  }
+  return 0.5 * sum;
 }
 
 // constitutive update of a batch and what their neighbors read; the
 // index of one whose state is not physical, or -1
 
 template <int D>
-int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, double dt)
+template <bool LATE>
+int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, int n,
+                                double dt, typename Base::Totals &totals)
 {
+  Base::prefetch_points(p, batch);
+  const std::ptrdiff_t next = (batch.i[0] + LANES) * static_cast<std::ptrdiff_t>(TENSOR);
+  prefetch(B.data() + next, LANES * TENSOR);
+  prefetch(F.data() + next, LANES * TENSOR);
   Sums sums;
-  for (int m = 0; m < LANES; m++) accumulate(batch.i[m], sums, m);
+  for (int m = 0; m < LANES; m++) accumulate<LATE>(batch.i[m], sums, m);
   add_blocks<D>(sums.displacement);
   add_blocks<D>(sums.velocity);
   Several<D> own[BLOCK];
@@ -293,15 +457,17 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
   using Tensors = Tensor<D, Pack>;
   const Tensors correction = lanes_of<D>(own);
   const Tensors Fi = Tensors::Identity() + lanes_of<D>(sums.displacement) * correction;
-  const Tensors rate = lanes_of<D>(sums.velocity) * correction;
+  const Tensors velocity = lanes_of<D>(sums.velocity), rate = velocity * correction;
   from_lanes<D>(Fi, own);
   for (int m = 0; m < BLOCK; m++) store_tensor(batch.rows(F.data(), m, TENSOR), own[m]);
+
+  if (LATE) add_late_heat(p, batch, n, velocity, sums, totals);
 
   Tensors L = Tensors::Zero();
   if (dt > 0.0) L = rate * Tensors(Fi - Pack(0.5 * dt) * rate).inverse();
   const auto points = Base::update_points(p, batch, L, dt);
 
-  const Pack rho = points.state.rho, J = batch.load(p.mass) / (rho * batch.load(p.vref));
+  const Pack rho = points.state.rho, V0 = batch.load(p.vref), J = batch.load(p.mass) / (rho * V0);
   const Tensors inverse = Fi.inverse(), C = J * inverse.transpose() * correction.transpose();
   const Pack h = Base::of_types(p, batch, [&](int t) {
     return types[t].h;
@@ -317,7 +483,9 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
   Pack last = batch.load(nsum.data());
   if (needs_switch(pair_form(opt.viscosity)))
     last = Base::own_switch(rate * inverse, square_root(maximum(points.eos.c2, Pack(0.0))), h);
-  Base::write_rows(batch, points, points.sigma * C, impedance, last);
+  const Tensors T = points.sigma * C;
+  if (Base::on_the_way()) batch.store(early.data(), V0 * velocity.cwiseProduct(T).sum());
+  Base::write_rows(batch, points, T, impedance, last);
   if (viscous()) Base::write_tensors(batch, at_C(), C);
   if (keeps_rates(opt)) Base::write_tensors(batch, at_rate(), rate);
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
@@ -348,14 +516,25 @@ template <int D>
 template <PairForm FORM, bool HOURGLASS>
 void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
 {
+  const bool heat = Base::on_the_way(), viscous_heat = Base::heats_pairs();
+  double viscous = 0.0, hourglass = 0.0;
 #if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, hourglass)
 #endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
-    force_row<FORM, HOURGLASS>(p, i);
+    const typename Base::Power power = force_row<FORM, HOURGLASS>(p, i);
     if (FORM != PairForm::NONE && lonely) Base::lonely_pairs(p, i);
+    if (!heat) continue;
+    if (needs_correction())
+      for (int a = 0; a < D; a++) da[i * da_stride + VECTOR + a] = kin(i)[Kin::V + a];
+    const double q = viscous_heat ? power.viscous : 0.0;
+    early[i] += q + power.hourglass;
+    viscous += q;
+    hourglass += power.hourglass;
   }
+  early_totals.viscous += viscous;
+  early_totals.hourglass += hourglass;
 }
 
 // f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass.
@@ -367,7 +546,7 @@ void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &lis
 
 template <int D>
 template <PairForm FORM, bool HOURGLASS>
-void LagrangianSweeps<D>::force_row(const Particles &p, int i)
+typename SweepsBase<D>::Power LagrangianSweeps<D>::force_row(const Particles &p, int i)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
@@ -385,11 +564,15 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
   const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
   const double a1 = opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
   Pack stress = zero, viscous = zero, hourglass = zero, mu_least = zero;
+  Pack viscous_power = zero, hourglass_power = zero;
 
   for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
     const int *j = &pairs.j[k];
     Motion<D> d[BLOCK];
     Pack along[BLOCK], l_i[BLOCK], l_j[BLOCK], state[BLOCK];    // lanes yet to be summed
+    prefetch_pairs(k);
+    if (VISCOUS) prefetch(near + k + PAIRS_AHEAD, LANES);
+    if (HOURGLASS) prefetch(damping + k + PAIRS_AHEAD, LANES);
     const Pack F = load(factors + k);
     const Spread factor(F);
     for (int m = 0; m < BLOCK; m++) {
@@ -420,19 +603,23 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
       const Pack impedance = damping_share * (si[Str::K] + state[0]);
       const Pack s = impedance * F * (vr - 0.5 * (li + lj)) * inv_r2;
       store(damping + k, s);
+      hourglass_power = multiply_add(s, vr, hourglass_power);
       const Spread each(s);
       for (int m = 0; m < BLOCK; m++) hourglass = multiply_add(each[m], d[m].x(), hourglass);
     }
     if (VISCOUS) {
       const Pack on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Pack(1.0);
-      vr = jump_left<FORM>(vr, li, lj, on);
-      const Pack mu = minimum(vr, zero) * load(near + k) * square_root(r2) * inv_r2;
+      const Pack jump = jump_left<FORM>(vr, li, lj, on);
+      const Pack mu = minimum(jump, zero) * load(near + k) * square_root(r2) * inv_r2;
       const Pack rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
       Pack Pi = rho * mu * (a2 * mu - a1 * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
       const Pack G = 0.5 * sums(along[0], along[1], along[2], along[3]);
       Pack s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
-      if (keep) store(pulls + k, s);
+      if (keep) {
+        store(pulls + k, s);
+        viscous_power = multiply_add(s, vr, viscous_power);
+      }
       if (correct) s = where_positive(state[3], ok_i * s, zero);
       const Spread each(-s);
       for (int m = 0; m < BLOCK; m++) viscous = multiply_add(each[m], d[m].x(), viscous);
@@ -447,11 +634,12 @@ void LagrangianSweeps<D>::force_row(const Particles &p, int i)
   for (int a = 0; a < D; a++) {
     p.f[i][a] += V0 * (folded<D>(stress, a) + hourglass[a]);
     if (VISCOUS && correct)
-      da[i * VECTOR + a] = per_mass * viscous[a];
+      da[i * da_stride + a] = per_mass * viscous[a];
     else if (VISCOUS)
       p.f[i][a] += V0 * viscous[a];
   }
   mu_max[i] = -least(mu_least);
+  return {0.0, 0.5 * V0 * sum(viscous_power), -0.5 * V0 * sum(hourglass_power)};
 }
 
 // over the nearest partners: constant until the partners have new indices
@@ -494,6 +682,8 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
   Pack viscous(0.0), hourglass(0.0);
   for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
     const int *j = &pairs.j[k];
+    prefetch_pairs(k);
+    if (DAMP) prefetch(damp.data() + k + PAIRS_AHEAD, LANES);
     const Pack F = load(&pairs.factor[k]);
     const Spread factor(F), pulled(PULL ? load(&pull[k]) : F), damped(DAMP ? -load(&damp[k]) : F);
     for (int m = 0; m < BLOCK; m++) {

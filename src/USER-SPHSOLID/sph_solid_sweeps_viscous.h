@@ -75,7 +75,9 @@ template <int D> void SweepsBase<D>::mirror_switch()
 
 template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
 {
-  mirror_vectors(da.data(), VECTOR);
+  mirror_vectors(da.data(), da_stride);
+  if (on_the_way())    // own particles have it from the force sweep
+    for (int i = nown; i < nrows; i++) std::copy(u(i), u(i) + D, &da[i * da_stride + VECTOR]);
   if (safe()) near_pull.resize(near_weight.size());
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
@@ -103,7 +105,7 @@ template <int D> Pack SweepsBase<D>::central_correction(int i)
   double sum[LANES] = {};
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++) {
     const int j = pairs.j[k];
-    const double *dai = &da[i * VECTOR], *daj = &da[j * VECTOR];
+    const double *dai = &da[i * da_stride], *daj = &da[j * da_stride];
     const Vector<D> x = separation(i, j);
     double ax = 0.0, vx = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {
@@ -163,8 +165,8 @@ template <int D> inline Pack SweepsBase<D>::near_force(int i, int pair, const Mo
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
   if (safe()) return Pack(half * near_pull[pair]) * d.expanded_x();
-  const Pack difference = load_expanded<D>(Addresses(&da[i * VECTOR])) -
-      load_expanded<D>(Addresses(&da[pairs.j[pair] * VECTOR]));
+  const Pack difference = load_expanded<D>(Addresses(&da[i * da_stride])) -
+      load_expanded<D>(Addresses(&da[pairs.j[pair] * da_stride]));
   return Pack(half * near_weight[pair]) * difference;
 }
 
@@ -191,21 +193,32 @@ void SweepsBase<D>::sum_heat(const NeighborRows &list, double *heat, bool book, 
     if (needs_correction()) {
       // what the standard viscosity would heat: q has all of it for eq. 30,
       // else the pairs that no correction touches
-      if (opt.heating == Heating::COMPATIBLE) {
-        q = lonely ? lonely_power(i) : 0.0;
-        for (int a = 0; a < D; a++) standard -= kin(i)[Kin::MASS] * da[i * VECTOR + a] * u(i)[a];
-      }
-      standard += q;
+      q += lonely_power(i);
+      standard += q + standard_power(i);
       q += heat_correction(i);
     }
     heat[i] = power.stress + q + power.hourglass;
     viscous += q;
     damped += power.hourglass;
   }
-  if (!book) return;
-  ledger.viscous_heat += viscous;
-  ledger.hourglass += damped;
-  if (needs_correction()) ledger.returned += standard - viscous;
+  if (book) enter({viscous, standard, damped}, 1.0);
+}
+
+template <int D> void SweepsBase<D>::enter(const Totals &t, double factor)
+{
+  ledger.viscous_heat += factor * t.viscous;
+  ledger.hourglass += factor * t.hourglass;
+  if (needs_correction()) ledger.returned += factor * (t.standard - t.viscous);
+}
+
+// what the standard viscosity would heat, apart from pairs that are heated as they are
+
+template <int D> double SweepsBase<D>::standard_power(int i) const
+{
+  if (opt.heating != Heating::COMPATIBLE) return 0.0;
+  double power = 0.0;
+  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * da_stride + a] * u(i)[a];
+  return power;
 }
 
 // the force coefficient of pairs that no correction replaces
@@ -229,10 +242,11 @@ template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
   }
 }
 
-// half the work of the pairs that the correction leaves alone
+// half the work of the pairs that a compatible correction leaves alone
 
 template <int D> double SweepsBase<D>::lonely_power(int i) const
 {
+  if (!lonely || opt.heating != Heating::COMPATIBLE) return 0.0;
   double sum = 0.0;
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const int j = pairs.j[k];
@@ -264,7 +278,7 @@ template <int D> double SweepsBase<D>::heat_correction(int i) const
   each_few(i, [&](Pack w, const int *j, Pack difference) {
     const Pack uj = load_few<D>(u(0), j, Kin::STRIDE);
     if (printed)
-      power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, VECTOR);
+      power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, da_stride);
     else if (shepard)
       power -= w * 0.5 * ui * difference;
     else

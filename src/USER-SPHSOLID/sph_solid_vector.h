@@ -173,7 +173,7 @@ inline Native native_where_positive(Native condition, Native a, Native b)
 inline Native native_square_root(Native a)
 {
 #if defined(SPHSOLID_AVX512)
-  return _mm512_sqrt_pd(a);
+  return _mm512_maskz_sqrt_pd(0xFF, a);
 #else
   for (int k = 0; k < LANES; k++) a[k] = std::sqrt(a[k]);
   return a;
@@ -328,13 +328,19 @@ struct Addresses {
   }
 };
 
+#if defined(SPHSOLID_AVX512)
+inline Pack joined(__m256d low, __m256d high)
+{
+  return Pack(_mm512_maskz_insertf64x4(0xFF, _mm512_castpd256_pd512(low), high, 1));
+}
+#endif
+
 // a block from each address, one block in all, one double in all lanes of each block
 
 inline Pack load(const Addresses &from)
 {
 #if defined(SPHSOLID_AVX512)
-  return Pack(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from.block[0])),
-                                 _mm256_loadu_pd(from.block[1]), 1));
+  return joined(_mm256_loadu_pd(from.block[0]), _mm256_loadu_pd(from.block[1]));
 #else
   Native n;
   for (int b = 0; b < BLOCKS; b++)
@@ -347,7 +353,7 @@ inline Pack load(const Addresses &from)
 inline Pack load_block(const double *from)
 {
 #if defined(SPHSOLID_AVX512)
-  return Pack(_mm512_broadcast_f64x4(_mm256_loadu_pd(from)));
+  return Pack(_mm512_maskz_broadcast_f64x4(0xFF, _mm256_loadu_pd(from)));
 #else
   return load(Addresses(from));
 #endif
@@ -365,16 +371,46 @@ inline Pack load_all(const Addresses &from)
 #endif
 }
 
-// {p0, p1, p0, p1} and {p0, p1, 0, 0} in each block
+// {p0, p1, p0, p1} in each block
 
 inline Pack load_two_twice(const Addresses &from)
 {
 #if defined(SPHSOLID_AVX512)
-  return Pack(_mm512_mask_broadcast_f64x2(_mm512_broadcast_f64x2(_mm_loadu_pd(from.block[0])), 0xF0,
-                                          _mm_loadu_pd(from.block[1])));
+  return Pack(
+      _mm512_mask_broadcast_f64x2(_mm512_maskz_broadcast_f64x2(0xFF, _mm_loadu_pd(from.block[0])),
+                                  0xF0, _mm_loadu_pd(from.block[1])));
 #else
   return pack_of([&](int n) {
     return from.block[n / BLOCK][n % 2];
+  });
+#endif
+}
+
+// two doubles from each of LANES/2 addresses; and LANES/2 doubles, each of them twice
+
+inline Pack load_twos(const double *const *from)
+{
+#if defined(SPHSOLID_AVX512)
+  auto block = [from](int n) {
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(from[n])),
+                                _mm_loadu_pd(from[n + 1]), 1);
+  };
+  return joined(block(0), block(2));
+#else
+  return pack_of([from](int n) {
+    return from[n / 2][n % 2];
+  });
+#endif
+}
+
+inline Pack load_each_twice(const double *from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(_mm512_maskz_permutexvar_pd(0xFF, _mm512_set_epi64(3, 3, 2, 2, 1, 1, 0, 0),
+                                          _mm512_castpd256_pd512(_mm256_loadu_pd(from))));
+#else
+  return pack_of([from](int n) {
+    return from[n / 2];
   });
 #endif
 }
@@ -424,7 +460,7 @@ inline Pack sum_of_blocks(Pack a)
 {
 #if defined(SPHSOLID_AVX512)
   const Native n = a.native();
-  return Pack(n + _mm512_shuffle_f64x2(n, n, 0x4E));
+  return Pack(n + _mm512_maskz_shuffle_f64x2(0xFF, n, n, 0x4E));
 #else
   if (BLOCKS == 1) return a;
   return pack_of([&](int n) {
@@ -439,7 +475,8 @@ inline Pack sums_of_blocks(const Pack *a)
 {
 #if defined(SPHSOLID_AVX512)
   const Native p = a[0].native(), q = a[BLOCK].native();
-  return Pack(_mm512_shuffle_f64x2(p, q, 0x44) + _mm512_shuffle_f64x2(p, q, 0xEE));
+  return Pack(_mm512_maskz_shuffle_f64x2(0xFF, p, q, 0x44) +
+              _mm512_maskz_shuffle_f64x2(0xFF, p, q, 0xEE));
 #else
   if (BLOCKS == 1) return a[0];
   return pack_of([&](int n) {
@@ -459,8 +496,8 @@ inline double least(Pack a)
 {
 #if defined(SPHSOLID_AVX512)
   const Native n = a.native(),
-               m = native_where_positive(_mm512_shuffle_f64x2(n, n, 0x4E) - n, n,
-                                         _mm512_shuffle_f64x2(n, n, 0x4E));
+               m = native_where_positive(_mm512_maskz_shuffle_f64x2(0xFF, n, n, 0x4E) - n, n,
+                                         _mm512_maskz_shuffle_f64x2(0xFF, n, n, 0x4E));
   a = Pack(m);
   const int count = BLOCK;
 #else
@@ -513,6 +550,17 @@ struct Spread {
   }
   const Pack &operator[](int m) const { return of[m]; }
 };
+
+// n doubles that will be wanted soon: sweeps read more arrays side by side than the processor
+// follows by itself, and it stops at the end of every page.  Nothing happens behind the end of
+// an array
+
+inline void prefetch(const double *from, int n = 1)
+{
+#if defined(__GNUC__)
+  for (int k = 0; k < n; k += 8) __builtin_prefetch(from + k);
+#endif
+}
 
 // arrays of rows that begin on a cache line
 
