@@ -147,6 +147,7 @@ template <int D> class SweepsBase : public Sweeps {
     return mass * CubicSpline<D>::w(r, Real(0.25 * (near_i + near_j)));
   }
   double retained_viscosity() const;
+  void book_plastic_work(const NeighborRows &);
 
   // as many own particles as there are lanes; at the end of a list the last one fills up
   struct Batch {
@@ -347,6 +348,9 @@ void SweepsBase<D>::find_image_candidates(const Particles &p, const NeighborRows
 
 template <int D> void SweepsBase<D>::pack_constants(const Particles &p)
 {
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads)
+#endif
   for (int i = 0; i < p.nall; i++) {
     double *row = &krow[static_cast<std::size_t>(i) * Kin::STRIDE];
     const TypeData &t = types[p.type[i]];
@@ -511,6 +515,16 @@ template <int D> void SweepsBase<D>::prefetch_points(const Particles &p, const B
   for (const double *array : arrays) prefetch(array + next, LANES);
 }
 
+template <int D> void SweepsBase<D>::book_plastic_work(const NeighborRows &list)
+{
+  double sum = 0.0;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : sum)
+#endif
+  for (int ii = 0; ii < list.inum; ii++) sum += work[list.ilist[ii]];
+  ledger.plastic_work += sum;
+}
+
 // a particle whose density is not positive, or another number of whom is not
 // finite; or -1
 
@@ -578,6 +592,9 @@ double SweepsBase<D>::time_step_limit(const Particles &p, const NeighborRows &li
 {
   const double retained = retained_viscosity();
   double limit = 1.0e300;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(min : limit)
+#endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
     const TypeData &t = types[p.type[i]];

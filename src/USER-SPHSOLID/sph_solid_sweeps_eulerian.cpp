@@ -38,10 +38,9 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
  private:
   using Base = SweepsBase<D>;
   using Base::da, Base::da_stride, Base::extra, Base::image_first, Base::image_j, Base::images,
-      Base::keeps_pairs, Base::kin, Base::krow, Base::ledger, Base::lonely, Base::mu_max,
-      Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull,
-      Base::srow, Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull,
-      Base::work;
+      Base::keeps_pairs, Base::kin, Base::krow, Base::lonely, Base::mu_max, Base::near_weight,
+      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow,
+      Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -214,7 +213,7 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
       if (unphysical >= 0) bad = unphysical;
     }
   }
-  for (int ii = 0; ii < list.inum; ii++) ledger.plastic_work += work[list.ilist[ii]];
+  Base::book_plastic_work(list);
   return bad;
 }
 

@@ -57,10 +57,10 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
  private:
   using Base = SweepsBase<D>;
   using Base::da, Base::da_stride, Base::early, Base::early_totals, Base::extra, Base::image_first,
-      Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::ledger,
-      Base::lonely, Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads,
-      Base::opt, Base::pairs, Base::pull, Base::separation, Base::srow, Base::str,
-      Base::stress_stride, Base::types, Base::VECTOR, Base::wbar_mass, Base::whole_pull, Base::work;
+      Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::lonely,
+      Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt,
+      Base::pairs, Base::pull, Base::separation, Base::srow, Base::str, Base::stress_stride,
+      Base::types, Base::VECTOR, Base::wbar_mass, Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -94,6 +94,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   double own_weight(int i) const override { return kin(i)[Kin::VOLUME]; }
   double switch_weight(int) const override { return 1.0; }    // the factor has V0_j
   double step_factor(int i) const override;
+  Overload overload(int i) const;
   double weight_volume(const Particles &p, int i) const override { return p.vref[i]; }
 
   Vector<D> reference_position(const Particles &, int row) const;
@@ -214,6 +215,9 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   F.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
   nsum.assign(p.nlocal, 0.0);
 
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads)
+#endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii], start = pairs.first[i];
     const int nimage = images.any() ? image_first[i + 1] - image_first[i] : 0;
@@ -343,7 +347,7 @@ int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, 
                                 : update<false>(p, batch, n, dt, totals);
     if (unphysical >= 0) bad = unphysical;
   });
-  for (int ii = 0; ii < list.inum; ii++) ledger.plastic_work += work[list.ilist[ii]];
+  Base::book_plastic_work(list);
   return bad;
 }
 
@@ -741,21 +745,28 @@ template <int D> double LagrangianSweeps<D>::step_factor(int i) const
 
 template <int D> Overload LagrangianSweeps<D>::find_overload(const NeighborRows &list) const
 {
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    if (pairs.count[i] == 0) continue;
-    const Tensor<D> Fi = tensor(F, i);
-    const double J = Fi.determinant();
-    if (!(J > 0.0)) return {Overload::TURNED_OVER, i, J};
-    const double s = least_stretch<D>(Fi);
-    if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
-    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-      double X2 = 0.0;
-      for (int a = 0; a < D; a++) X2 += sep[k * D + a] * sep[k * D + a];
-      const double x2 = separation(i, pairs.j[k]).squaredNorm();
-      if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2)
-        return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
-    }
+  int first = list.inum;    // in the list, of those that are beyond it
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(min : first)
+#endif
+  for (int ii = 0; ii < list.inum; ii++)
+    if (ii < first && overload(list.ilist[ii]).kind != Overload::NONE) first = ii;
+  return first < list.inum ? overload(list.ilist[first]) : Overload();
+}
+
+template <int D> Overload LagrangianSweeps<D>::overload(int i) const
+{
+  if (pairs.count[i] == 0) return {};
+  const Tensor<D> Fi = tensor(F, i);
+  const double J = Fi.determinant();
+  if (!(J > 0.0)) return {Overload::TURNED_OVER, i, J};
+  const double s = least_stretch<D>(Fi);
+  if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    double X2 = 0.0;
+    for (int a = 0; a < D; a++) X2 += sep[k * D + a] * sep[k * D + a];
+    const double x2 = separation(i, pairs.j[k]).squaredNorm();
+    if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
   }
   return {};
 }
