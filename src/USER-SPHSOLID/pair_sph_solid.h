@@ -22,6 +22,8 @@ PairStyle(sph/solid,PairSPHSolid);
 
 #include "pair.h"
 
+#include <vector>
+
 namespace SPHSolid {
 class Sweeps;
 struct Ledger;
@@ -78,7 +80,8 @@ class PairSPHSolid : public Pair {
   bool has_energy() const;                    // is there an energy equation?
   void require_energy(const char *) const;    // stop if not; for whom, for the message
   bool has_material(int) const;               // of own atom i: in a hybrid, others may have none
-  double time_step_limit() const;             // own atoms, Courant number 1 [time]
+  std::vector<char> types_with_material() const;    // of the types, from 1
+  double time_step_limit() const;                   // own atoms, Courant number 1 [time]
   double usual_courant_number() const;
   void cauchy_stress(int, double *) const;
   double pressure(int) const;

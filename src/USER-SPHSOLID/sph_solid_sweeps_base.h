@@ -244,7 +244,7 @@ template <int D> class SweepsBase : public Sweeps {
       store(&near_weight[k], where_positive(first_lanes(end - k), w, Pack(0.0)));
     }
   }
-  template <class Moved, class Apart> double lonely_power(int i, Moved du, Apart dx) const;
+  double lonely_power(int i) const;
   const double *u(int i) const { return kin(i) + Kin::V; }    // during heat: displacements
 
   // of the frame: volume weight of a kinematic row, what a kept pull is to be
@@ -263,7 +263,7 @@ template <int D> class SweepsBase : public Sweeps {
   };
   template <class OfRow> void sum_heat(const NeighborRows &, double *, bool book, OfRow of_row);
   double heat_correction(int i) const;
-  double standard_power(int i, const double *u) const;
+  double standard_power(int i) const;
 
   // of heat on the way: power of own particles with the velocities of the last evaluation, and sums
   // of it as the ledger has them
@@ -272,6 +272,7 @@ template <int D> class SweepsBase : public Sweeps {
   };
   std::vector<double> early;
   Totals early_totals;
+  bool on_the_way() const { return this->keeps_heat && this->can_keep_heat(); }
   void enter(const Totals &, double factor);
   Pack central_correction(int i);
   Pack near_force(int i, int pair, const Motion<D> &d) const;
@@ -293,10 +294,10 @@ template <int D> void SweepsBase<D>::size_rows(const Particles &p, const Neighbo
   nrows = p.nall + (images.any() ? images.count() : 0);
   krow.resize(static_cast<std::size_t>(nrows) * Kin::STRIDE);
   srow.resize(static_cast<std::size_t>(nrows) * stress_stride);
-  da_stride = this->keeps_heat ? 2 * VECTOR : VECTOR;
+  da_stride = on_the_way() ? 2 * VECTOR : VECTOR;
   if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * da_stride);
   mu_max.assign(p.nlocal, 0.0);
-  if (this->keeps_heat) early.assign(p.nlocal, 0.0);
+  if (on_the_way()) early.assign(p.nlocal, 0.0);
   work.assign(p.nlocal, 0.0);
   pairs.first.assign(p.nlocal + 1, 0);
   pairs.count.assign(p.nlocal, 0);

@@ -60,7 +60,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
       Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::lonely,
       Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt,
       Base::pairs, Base::pull, Base::separation, Base::srow, Base::str, Base::stress_stride,
-      Base::types, Base::u, Base::VECTOR, Base::wbar_mass, Base::whole_pull, Base::work;
+      Base::types, Base::VECTOR, Base::wbar_mass, Base::whole_pull, Base::work;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -136,12 +136,11 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
     double viscous[LANES] = {}, hourglass[LANES] = {};
   };
   template <bool LATE> void accumulate(int i, Sums &, int lane) const;
-  // velocity of the last evaluation
-  const double *early_v(int i) const { return &da[i * da_stride + VECTOR]; }
   void add_late_pairs(const int *j, int k, bool nearest, const Motion<D> *d, LateHeat &) const;
   template <bool LATE>
   int update(const Particles &, const typename Base::Batch &, int n, double dt,
              typename Base::Totals &);
+  double late_lonely_power(int i) const;
   void add_late_heat(const Particles &, const typename Base::Batch &, int n,
                      const Tensor<D, Pack> &velocity, Sums &, typename Base::Totals &) const;
   template <class Call> void each_batch(const NeighborRows &, Call);
@@ -319,15 +318,15 @@ template <int D>
 inline void LagrangianSweeps<D>::add_late_pairs(const int *j, int k, bool nearest,
                                                 const Motion<D> *d, LateHeat &heat) const
 {
-  const bool damps = opt.hourglass > 0.0, pulls = Base::heats_pairs();
-  if (damps || pulls) {
-    const Spread damped(damps ? load(&damp[k]) : Pack(0.0)),
-        pulled(pulls ? load(&pull[k]) : Pack(0.0));
-    for (int m = 0; m < BLOCK; m++) {
-      const Pack vx = d[m].before(heat.drift).products();
-      if (damps) heat.hourglass = multiply_add(damped[m], vx, heat.hourglass);
-      if (pulls) heat.viscous = multiply_add(pulled[m], vx, heat.viscous);
-    }
+  if (opt.hourglass > 0.0) {
+    const Spread damped(load(&damp[k]));
+    for (int m = 0; m < BLOCK; m++)
+      heat.hourglass = multiply_add(damped[m], d[m].before(heat.drift).products(), heat.hourglass);
+  }
+  if (Base::heats_pairs()) {
+    const Spread pulled(load(&pull[k]));
+    for (int m = 0; m < BLOCK; m++)
+      heat.viscous = multiply_add(pulled[m], d[m].before(heat.drift).products(), heat.viscous);
   }
   if (needs_correction() && nearest) {    // w_ij (da_i - da_j).(v_i - v_j + v'_i - v'_j)
     const Spread weight(load(&near_weight[k]));
@@ -398,15 +397,11 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, const typename Base:
   for (int m = 0; m < n; m++) {
     const int i = batch.i[m];
     if (needs_correction()) {
-      const double lone = Base::lonely_power(
-          i,
-          [&](int j, int a) {
-            return early_v(i)[a] - early_v(j)[a] + (u(i)[a] - u(j)[a]);
-          },
-          [&](int j, int a) {
-            return kin(i)[a] - kin(j)[a] - this->due.drift * (u(i)[a] - u(j)[a]);
-          });
-      totals.standard += lone + Base::standard_power(i, early_v(i)) + Base::standard_power(i, u(i));
+      const double lone = late_lonely_power(i);
+      const double *kick = &da[i * da_stride];
+      totals.standard += lone;
+      for (int a = 0; a < D; a++)
+        totals.standard -= kin(i)[Kin::MASS] * kick[a] * (kick[VECTOR + a] + kin(i)[Kin::V + a]);
       sums.viscous[m] += lone;
     }
     totals.viscous += sums.viscous[m];
@@ -424,6 +419,24 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, const typename Base:
       V0 * velocity.cwiseProduct(lanes_of<D>(rows)).sum() + load(sums.viscous) +
       load(sums.hourglass);
   batch.store(p.e, batch.load(p.e) + this->due.factor * power / batch.load(p.mass));
+}
+
+// half the work of the pairs that the correction left alone
+
+template <int D> double LagrangianSweeps<D>::late_lonely_power(int i) const
+{
+  if (!lonely) return 0.0;
+  double sum = 0.0;
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    const int j = pairs.j[k];
+    const double s = whole_pull(i, k);
+    for (int a = 0; a < D; a++) {
+      const double v = kin(i)[Kin::V + a] - kin(j)[Kin::V + a];
+      const double before = da[i * da_stride + VECTOR + a] - da[j * da_stride + VECTOR + a];
+      sum += s * (before + v) * (kin(i)[a] - kin(j)[a] - this->due.drift * v);
+    }
+  }
+  return 0.5 * sum;
 }
 
 // constitutive update of a batch and what their neighbors read; the
@@ -475,7 +488,7 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
   if (needs_switch(pair_form(opt.viscosity)))
     last = Base::own_switch(rate * inverse, square_root(maximum(points.eos.c2, Pack(0.0))), h);
   const Tensors T = points.sigma * C;
-  if (this->keeps_heat) batch.store(early.data(), V0 * velocity.cwiseProduct(T).sum());
+  if (Base::on_the_way()) batch.store(early.data(), V0 * velocity.cwiseProduct(T).sum());
   Base::write_rows(batch, points, T, impedance, last);
   if (viscous()) Base::write_tensors(batch, at_C(), C);
   if (keeps_rates(opt)) Base::write_tensors(batch, at_rate(), rate);
@@ -507,7 +520,7 @@ template <int D>
 template <PairForm FORM, bool HOURGLASS>
 void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
 {
-  const bool heat = this->keeps_heat, viscous_heat = Base::heats_pairs();
+  const bool heat = Base::on_the_way(), viscous_heat = Base::heats_pairs();
   double viscous = 0.0, hourglass = 0.0;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, hourglass)

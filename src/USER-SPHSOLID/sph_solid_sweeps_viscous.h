@@ -76,7 +76,7 @@ template <int D> void SweepsBase<D>::mirror_switch()
 template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
 {
   mirror_vectors(da.data(), da_stride);
-  if (this->keeps_heat)    // own particles have it from the force sweep
+  if (on_the_way())    // own particles have it from the force sweep
     for (int i = nown; i < nrows; i++) std::copy(u(i), u(i) + D, &da[i * da_stride + VECTOR]);
   if (safe()) near_pull.resize(near_weight.size());
 #if defined(_OPENMP)
@@ -193,15 +193,8 @@ void SweepsBase<D>::sum_heat(const NeighborRows &list, double *heat, bool book, 
     if (needs_correction()) {
       // what the standard viscosity would heat: q has all of it for eq. 30,
       // else the pairs that no correction touches
-      q += lonely_power(
-          i,
-          [&](int j, int a) {
-            return u(i)[a] - u(j)[a];
-          },
-          [&](int j, int a) {
-            return kin(i)[a] - kin(j)[a];
-          });
-      standard += q + standard_power(i, u(i));
+      q += lonely_power(i);
+      standard += q + standard_power(i);
       q += heat_correction(i);
     }
     heat[i] = power.stress + q + power.hourglass;
@@ -220,11 +213,11 @@ template <int D> void SweepsBase<D>::enter(const Totals &t, double factor)
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D> double SweepsBase<D>::standard_power(int i, const double *u) const
+template <int D> double SweepsBase<D>::standard_power(int i) const
 {
   if (opt.heating != Heating::COMPATIBLE) return 0.0;
   double power = 0.0;
-  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * da_stride + a] * u[a];
+  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * da_stride + a] * u(i)[a];
   return power;
 }
 
@@ -249,19 +242,16 @@ template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
   }
 }
 
-// half the work of the pairs that a compatible correction leaves alone; du(j, a), dx(j, a):
-// components of u_i - u_j and x_i - x_j
+// half the work of the pairs that a compatible correction leaves alone
 
-template <int D>
-template <class Moved, class Apart>
-double SweepsBase<D>::lonely_power(int i, Moved du, Apart dx) const
+template <int D> double SweepsBase<D>::lonely_power(int i) const
 {
   if (!lonely || opt.heating != Heating::COMPATIBLE) return 0.0;
   double sum = 0.0;
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const int j = pairs.j[k];
     const double s = whole_pull(i, k);
-    for (int a = 0; a < D; a++) sum += s * du(j, a) * dx(j, a);
+    for (int a = 0; a < D; a++) sum += s * (u(i)[a] - u(j)[a]) * (kin(i)[a] - kin(j)[a]);
   }
   return 0.5 * sum;
 }
