@@ -32,6 +32,9 @@ using namespace FixConst;
 // when partners outgrow the ghost cutoff, it grows by this much more than needed
 static constexpr double COVER_MORE = 1.25;
 
+// partners may be so much of a periodic box apart
+static constexpr double LARGEST_SHARE = 0.45;
+
 /* ---------------------------------------------------------------------- */
 
 FixSPHSolidPartners::FixSPHSolidPartners(LAMMPS *lmp, int narg, char **arg) :
@@ -197,12 +200,30 @@ void FixSPHSolidPartners::find(bool setup, int **setflag)
       if (j < 0)
         missing.push_back(partner[i][k]);
       else
-        index.push_back(domain->closest_image(i, j));
+        index.push_back(near_image(i, j));
     }
     count[i] = static_cast<int>(index.size()) - start[i];
   }
   for (const int i : own) row[i] = index.data() + start[i];
   resolve_missing(missing, setup);
+}
+
+// of two partners half a box apart nobody knows which image is the one that the material connects
+
+int FixSPHSolidPartners::near_image(int i, int j) const
+{
+  const int image = domain->closest_image(i, j);
+  const double *a = atom->x[i], *b = atom->x[image];
+  const int periodic[3] = {domain->xperiodic, domain->yperiodic,
+                           domain->dimension == 3 && domain->zperiodic};
+  for (int d = 0; d < 3; d++)
+    if (periodic[d] && std::fabs(a[d] - b[d]) > LARGEST_SHARE * domain->prd[d])
+      error->one(FLERR, Error::NOLASTLINE,
+                 "sph/solid, frame lagrangian: particles {} and {} are partners and {:.6g} apart "
+                 "in step {}, nearly half the periodic box: expected one longer than {:.6g}",
+                 atom->tag[i], atom->tag[j], std::fabs(a[d] - b[d]), update->ntimestep,
+                 std::fabs(a[d] - b[d]) / LARGEST_SHARE);
+  return image;
 }
 
 // a partner that is nowhere has been deleted (between runs) or lost; one that

@@ -88,6 +88,7 @@ class FixSPHSolidPartners : public Fix {
   void drop(const std::vector<tagint> &gone);
   double largest_distance() const;
   void cover();
+  int near_image(int i, int j) const;
 };
 
 }    // namespace LAMMPS_NS

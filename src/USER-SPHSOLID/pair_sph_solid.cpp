@@ -115,7 +115,7 @@ void PairSPHSolid::compute(int eflag, int vflag)
   sweeps->mirror_stress();
 
   if (sweeps->sweeps_for_switch()) {
-    sweeps->find_switch(list);
+    sweeps->find_switch(p, list);
     forward(SWITCH, 1);
     sweeps->mirror_switch();
   }

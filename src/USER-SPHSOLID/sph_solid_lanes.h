@@ -71,20 +71,6 @@ template <int D> inline void store_tensor(const Addresses &row, const Several<D>
   for (int n = 0; n < Several<D>::N; n++) store(row + n * BLOCK, t.block[n]);
 }
 
-// a vector in memory, D doubles
-
-template <int D> inline Several<D> load_spread(const Addresses &a)
-{
-  if constexpr (D == 2)
-    return {load_two_twice(a)};
-  else if constexpr (BLOCKS == 1)
-    return {load_all(a), load_all(a + 1), load_all(a + 2)};
-  else {    // one load, shuffled
-    const Pack v = load(a);
-    return {shuffle<0, 0, 0, 0>(v), shuffle<1, 1, 1, 1>(v), shuffle<2, 2, 2, 2>(v)};
-  }
-}
-
 template <int D> inline Pack times(const Several<D> &T, const Several<D> &g)
 {
   Pack s = T.block[0] * g.block[0];
@@ -97,6 +83,16 @@ template <int D> inline Pack times(const Several<D> &T, const Several<D> &g)
 template <int D> inline void add_times(Pack &result, const Several<D> &T, const Several<D> &g)
 {
   for (int n = 0; n < Several<D>::N; n++) result = multiply_add(T.block[n], g.block[n], result);
+}
+
+// a vector in the first lanes of each block, spread
+
+template <int D> inline Several<D> spread(Pack v)
+{
+  if constexpr (D == 2)
+    return {shuffle<0, 1, 0, 1>(v)};
+  else
+    return {shuffle<0, 0, 0, 0>(v), shuffle<1, 1, 1, 1>(v), shuffle<2, 2, 2, 2>(v)};
 }
 
 // result += a (x) g, a expanded
@@ -196,16 +192,12 @@ template <> struct Motion<2> {
     d.xv = xv - other.xv;
     return d;
   }
-  // added to the position: a vector in memory, and the same spread
-  void move_by(const Addresses &, const Several<2> &X)
-  {
-    xv += shuffle<0, 1, 4, 5>(X.block[0], Pack(0.0));
-  }
-
   Pack x() const { return xv; }    // the first two lanes
   Pack expanded_x() const { return shuffle<0, 0, 1, 1>(xv); }
   Pack expanded_v() const { return shuffle<2, 2, 3, 3>(xv); }
-  Several<2> spread_x() const { return {shuffle<0, 1, 0, 1>(xv)}; }
+  Several<2> spread_x() const { return spread<2>(xv); }
+  // of x + X, X in the first lanes
+  Pack expanded_x_plus(Pack X) const { return shuffle<0, 0, 1, 1>(xv + X); }
 
   // where it was a drift before; drift: from drift_of()
   Motion before(Pack drift) const
@@ -249,17 +241,11 @@ template <> struct Motion<3> {
     d.velocity = velocity - other.velocity;
     return d;
   }
-  // the fourth lane of what lies in memory does not matter: it stays a lane of its own
-  void move_by(const Addresses &X, const Several<3> &) { position += load(X); }
-
   Pack x() const { return position; }
   Pack expanded_x() const { return position; }
   Pack expanded_v() const { return velocity; }
-  Several<3> spread_x() const
-  {
-    return {shuffle<0, 0, 0, 0>(position), shuffle<1, 1, 1, 1>(position),
-            shuffle<2, 2, 2, 2>(position)};
-  }
+  Several<3> spread_x() const { return spread<3>(position); }
+  Pack expanded_x_plus(Pack X) const { return position + X; }
 
   Motion before(Pack drift) const
   {

@@ -26,16 +26,30 @@ template <int D> struct Blocks {
   static constexpr int at(int a, int b) { return (D == 2) ? 2 * a + b : 4 * b + a; }
 };
 
-// kinematic row, filled before the gradient sweep
+// kinematic rows: the motion is filled before the gradient sweep, the rest stays as it is until
+// neighbors are new.  In three dimensions what follows a velocity in its block takes part in
+// no product with a position, whose last double is 0
 
-template <int D> struct Kinematics {
+template <int D> struct MotionRow {
   static constexpr int X = 0;                    // position
   static constexpr int V = Blocks<D>::VECTOR;    // velocity at the half step; for heat: see there
-  static constexpr int MASS = 2 * V;             // mass
-  static constexpr int VOLUME = 2 * V + 1;       // the weight of the gradient sweep
-  static constexpr int H = 2 * V + 2;            // smoothing length
-  static constexpr int NEAR = 2 * V + 3;         // support of the nearest-neighbor kernel Wbar
-  static constexpr int STRIDE = 2 * V + 4;
+};
+
+template <int D> struct EulerianRow : MotionRow<D> {
+  static constexpr int MASS = 2 * Blocks<D>::VECTOR;    // mass
+  static constexpr int VOLUME = MASS + 1;               // weight of the gradient sweep, this step's
+  static constexpr int H = MASS + 2;                    // smoothing length
+  static constexpr int NEAR = MASS + 3;                 // support of the nearest-neighbor kernel Wbar
+  static constexpr int STRIDE = MASS + 4;
+};
+
+// two dimensions: x, v | X, m, V0; three: x, 0 | v, m | X, V0
+
+template <int D> struct LagrangianRow : MotionRow<D> {
+  static constexpr int REFERENCE = 2 * Blocks<D>::VECTOR;    // position in the reference
+  static constexpr int MASS = (D == 2) ? REFERENCE + 2 : REFERENCE - 1;
+  static constexpr int VOLUME = REFERENCE + 3;    // reference volume
+  static constexpr int STRIDE = REFERENCE + 4;
 };
 
 // stress row, filled by the constitutive update and sent to ghosts.

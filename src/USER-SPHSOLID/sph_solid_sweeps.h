@@ -144,7 +144,7 @@ class Sweeps {
 
   // the switch of a viscosity that needs one more sweep for it
   virtual bool sweeps_for_switch() const = 0;
-  virtual void find_switch(const NeighborRows &) = 0;
+  virtual void find_switch(const Particles &, const NeighborRows &) = 0;
   virtual double *viscosity_switch(int i) = 0;    // one double
   virtual void mirror_switch() = 0;
 

@@ -69,7 +69,9 @@ template <class Call> void with_flags(bool first, bool second, Call call)
   if (!first && !second) call(no, no);
 }
 
-template <int D> class SweepsBase : public Sweeps {
+// Row: EulerianRow<D> or LagrangianRow<D>
+
+template <int D, class Row> class SweepsBase : public Sweeps {
  public:
   // ntensors: how many tensors follow the fixed part of a stress row
   SweepsBase(const Options &o, const std::vector<TypeData> &t, int ntensors_) :
@@ -99,7 +101,7 @@ template <int D> class SweepsBase : public Sweeps {
   double memory_usage() const override;
 
  protected:
-  using Kin = Kinematics<D>;
+  using Kin = Row;
   using Str = Stress<D>;
   static constexpr int VECTOR = Blocks<D>::VECTOR;
 
@@ -138,7 +140,11 @@ template <int D> class SweepsBase : public Sweeps {
   bool is_lonely(int i) const { return needs_correction() && !(str(i)[Str::NSUM] > 0.0); }
 
   void size_rows(const Particles &, const NeighborRows &);
-  void pack_constants(const Particles &);
+  // the particle that a row belongs to: for an image, that which it is one of
+  int source_of(int row) const
+  {
+    return row < nparticles ? row : images.source_of(row - nparticles);
+  }
   void find_image_candidates(const Particles &, const NeighborRows &, double **x, double reach);
   void mirror_vectors(double *rows, int stride) const;
   // m_j Wbar_ij; near: supports of Wbar of both, whose mean is that of the pair
@@ -247,13 +253,14 @@ template <int D> class SweepsBase : public Sweeps {
   double lonely_power(int i) const;
   const double *u(int i) const { return kin(i) + Kin::V; }    // during heat: displacements
 
-  // of the frame: volume weight of a kinematic row, what a kept pull is to be
-  // multiplied with, how much shorter a time step has to be, the weights of the
-  // correction, and heat
+  // of the frame: what a kinematic row has of a particle besides its motion, its volume weight,
+  // what a kept pull is to be multiplied with, how much shorter a time step has to be, the
+  // weights of the correction
+  virtual void pack_constants(const Particles &, int i, double *row) const = 0;
   virtual double weight_volume(const Particles &, int i) const = 0;
   virtual double own_weight(int i) const = 0;
   virtual double step_factor(int) const { return 1.0; }
-  virtual void near_weights(int i) = 0;
+  virtual void near_weights(const Particles &, int i) = 0;
   virtual bool constant_weights() const { return false; }    // until neighbors are new
 
   // what the forces of a row's pairs give to i while all particles move by u; of
@@ -279,7 +286,7 @@ template <int D> class SweepsBase : public Sweeps {
   template <class OfRow> void sum_virial(const NeighborRows &, double *six, OfRow of_row) const;
 
   Pack own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const;
-  template <class Along> void sum_switch(const NeighborRows &, int at_rate, Along along);
+  template <class Along> void sum_switch(const Particles &, const NeighborRows &, int at_rate, Along along);
   virtual double switch_weight(int j) const = 0;    // times pairs.factor
 };
 
@@ -287,7 +294,7 @@ template <int D> class SweepsBase : public Sweeps {
    storage
 ------------------------------------------------------------------------- */
 
-template <int D> void SweepsBase<D>::size_rows(const Particles &p, const NeighborRows &list)
+template <int D, class Row> void SweepsBase<D, Row>::size_rows(const Particles &p, const NeighborRows &list)
 {
   nown = p.nlocal;
   nparticles = p.nall;
@@ -314,13 +321,17 @@ template <int D> void SweepsBase<D>::size_rows(const Particles &p, const Neighbo
   }
   pairs.j.resize(pairs.first[p.nlocal]);
   pairs.factor.resize(pairs.first[p.nlocal]);
-  pack_constants(p);
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads)
+#endif
+  for (int row = 0; row < nrows; row++)
+    pack_constants(p, source_of(row), &krow[static_cast<std::size_t>(row) * Kin::STRIDE]);
 }
 
 // candidates among the images: those of every neighbor and of i itself, at x
 
-template <int D>
-void SweepsBase<D>::find_image_candidates(const Particles &p, const NeighborRows &list, double **x,
+template <int D, class Row>
+void SweepsBase<D, Row>::find_image_candidates(const Particles &p, const NeighborRows &list, double **x,
                                           double reach)
 {
   if (!images.any()) return;
@@ -344,24 +355,7 @@ void SweepsBase<D>::find_image_candidates(const Particles &p, const NeighborRows
 
 /* ---------------------------------------------------------------------- */
 
-// what stays as it is until neighbors are new
-
-template <int D> void SweepsBase<D>::pack_constants(const Particles &p)
-{
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int i = 0; i < p.nall; i++) {
-    double *row = &krow[static_cast<std::size_t>(i) * Kin::STRIDE];
-    const TypeData &t = types[p.type[i]];
-    row[Kin::MASS] = p.mass[i];
-    row[Kin::VOLUME] = weight_volume(p, i);
-    row[Kin::H] = t.h;
-    row[Kin::NEAR] = opt.hbar * t.spacing;
-  }
-}
-
-template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const double *const *v)
+template <int D, class Row> void SweepsBase<D, Row>::pack_kinematics(const Particles &p, const double *const *v)
 {
   double *rows = krow.data();
   const bool weights = !constant_weights();
@@ -382,9 +376,9 @@ template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const d
     double *row = &krow[(p.nall + k) * Kin::STRIDE];
     double sign[3];
     images.signs(k, sign);
-    std::copy(from, from + Kin::STRIDE, row);
     images.position<D>(k, from + Kin::X, row + Kin::X);
-    for (int a = 0; a < D; a++) row[Kin::V + a] *= sign[a];
+    for (int a = 0; a < D; a++) row[Kin::V + a] = sign[a] * from[Kin::V + a];
+    if (weights) row[Kin::VOLUME] = from[Kin::VOLUME];
   }
 }
 
@@ -393,8 +387,8 @@ template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const d
    dimensions one block has all of it, in three a second one begins at zz
 ------------------------------------------------------------------------- */
 
-template <int D>
-void SweepsBase<D>::load_deviator(const Particles &p, const Batch &batch,
+template <int D, class Row>
+void SweepsBase<D, Row>::load_deviator(const Particles &p, const Batch &batch,
                                   PointState<D, Pack> &state)
 {
   auto columns = [&](int at, Pack *c) {
@@ -419,8 +413,8 @@ void SweepsBase<D>::load_deviator(const Particles &p, const Batch &batch,
 // of the two numbers that S has for a shear stress, the one above the diagonal is kept, as a
 // restart file has it
 
-template <int D>
-void SweepsBase<D>::store_deviator(const Particles &p, const Batch &batch,
+template <int D, class Row>
+void SweepsBase<D, Row>::store_deviator(const Particles &p, const Batch &batch,
                                    PointState<D, Pack> &state)
 {
   for (int a = 0; a < D; a++)
@@ -443,8 +437,8 @@ void SweepsBase<D>::store_deviator(const Particles &p, const Batch &batch,
    middle of the step; dt = 0: the state as it is
 ------------------------------------------------------------------------- */
 
-template <int D>
-typename SweepsBase<D>::Points SweepsBase<D>::update_points(const Particles &p, const Batch &batch,
+template <int D, class Row>
+typename SweepsBase<D, Row>::Points SweepsBase<D, Row>::update_points(const Particles &p, const Batch &batch,
                                                             const Tensor<D, Pack> &L_mid, double dt)
 {
   auto of = [&](const auto &list, auto member) {
@@ -480,8 +474,8 @@ typename SweepsBase<D>::Points SweepsBase<D>::update_points(const Particles &p, 
   return points;
 }
 
-template <int D>
-void SweepsBase<D>::write_rows(const Batch &batch, const Points &points, const Tensor<D, Pack> &T,
+template <int D, class Row>
+void SweepsBase<D, Row>::write_rows(const Batch &batch, const Points &points, const Tensor<D, Pack> &T,
                                Pack K, Pack nsum)
 {
   write_tensors(batch, Str::T, T);
@@ -494,8 +488,8 @@ void SweepsBase<D>::write_rows(const Batch &batch, const Points &points, const T
 
 // one tensor of the rows
 
-template <int D>
-void SweepsBase<D>::write_tensors(const Batch &batch, int at, const Tensor<D, Pack> &t)
+template <int D, class Row>
+void SweepsBase<D, Row>::write_tensors(const Batch &batch, int at, const Tensor<D, Pack> &t)
 {
   Several<D> rows[BLOCK];
   from_lanes<D>(t, rows);
@@ -505,7 +499,7 @@ void SweepsBase<D>::write_tensors(const Batch &batch, int at, const Tensor<D, Pa
 
 // what the next batch needs, if it lies behind this one
 
-template <int D> void SweepsBase<D>::prefetch_points(const Particles &p, const Batch &batch) const
+template <int D, class Row> void SweepsBase<D, Row>::prefetch_points(const Particles &p, const Batch &batch) const
 {
   const int next = batch.i[0] + LANES;
   if (next + LANES > nown) return;
@@ -515,7 +509,7 @@ template <int D> void SweepsBase<D>::prefetch_points(const Particles &p, const B
   for (const double *array : arrays) prefetch(array + next, LANES);
 }
 
-template <int D> void SweepsBase<D>::book_plastic_work(const NeighborRows &list)
+template <int D, class Row> void SweepsBase<D, Row>::book_plastic_work(const NeighborRows &list)
 {
   double sum = 0.0;
 #if defined(_OPENMP)
@@ -528,7 +522,7 @@ template <int D> void SweepsBase<D>::book_plastic_work(const NeighborRows &list)
 // a particle whose density is not positive, or another number of whom is not
 // finite; or -1
 
-template <int D> int SweepsBase<D>::unphysical(const Batch &batch, Pack rho, Pack others)
+template <int D, class Row> int SweepsBase<D, Row>::unphysical(const Batch &batch, Pack rho, Pack others)
 {
   // sum - sum is 0 or not a number
   const Pack sum = rho + others, finite = where_positive(1.0 + (sum - sum), Pack(1.0), Pack(-1.0));
@@ -542,7 +536,7 @@ template <int D> int SweepsBase<D>::unphysical(const Batch &batch, Pack rho, Pac
    rows of ghosts and images
 ------------------------------------------------------------------------- */
 
-template <int D> void SweepsBase<D>::unpack_stress(const Particles &p, int i, const double *row)
+template <int D, class Row> void SweepsBase<D, Row>::unpack_stress(const Particles &p, int i, const double *row)
 {
   std::copy(row, row + stress_stride, str(i));
   p.rho[i] = row[Str::RHO];
@@ -551,7 +545,7 @@ template <int D> void SweepsBase<D>::unpack_stress(const Particles &p, int i, co
 // a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
 // both signs
 
-template <int D> void SweepsBase<D>::mirror_stress()
+template <int D, class Row> void SweepsBase<D, Row>::mirror_stress()
 {
   for (int k = 0; k < nrows - nparticles; k++) {
     const double *from = str(images.source_of(k));
@@ -573,7 +567,7 @@ template <int D> void SweepsBase<D>::mirror_stress()
   if (keeps_pairs()) pull.resize(pairs.j.size());
 }
 
-template <int D> void SweepsBase<D>::mirror_vectors(double *rows, int stride) const
+template <int D, class Row> void SweepsBase<D, Row>::mirror_vectors(double *rows, int stride) const
 {
   for (int k = 0; k < nrows - nparticles; k++) {
     double sign[3];
@@ -587,8 +581,8 @@ template <int D> void SweepsBase<D>::mirror_vectors(double *rows, int stride) co
    h/(c_L + 0.6 (a1 c + a2 |mu|)), the viscous part as far as it is retained
 ------------------------------------------------------------------------- */
 
-template <int D>
-double SweepsBase<D>::time_step_limit(const Particles &p, const NeighborRows &list) const
+template <int D, class Row>
+double SweepsBase<D, Row>::time_step_limit(const Particles &p, const NeighborRows &list) const
 {
   const double retained = retained_viscosity();
   double limit = 1.0e300;
@@ -606,13 +600,13 @@ double SweepsBase<D>::time_step_limit(const Particles &p, const NeighborRows &li
   return limit;
 }
 
-template <int D> double SweepsBase<D>::retained_viscosity() const
+template <int D, class Row> double SweepsBase<D, Row>::retained_viscosity() const
 {
   if (opt.viscosity == Viscosity::NONE) return 0.0;
   return opt.viscosity == Viscosity::CORRECT ? CORRECTION_RETAINS : 1.0;
 }
 
-template <int D> double SweepsBase<D>::memory_usage() const
+template <int D, class Row> double SweepsBase<D, Row>::memory_usage() const
 {
   const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
       mu_max.capacity() + early.capacity() + work.capacity() + pull.capacity() +

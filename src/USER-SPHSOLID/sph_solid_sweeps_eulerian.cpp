@@ -17,16 +17,16 @@ namespace {
 // rod too early (0.03 of its kinetic energy at h = 1.3 spacings, 0.018 with 0.1)
 constexpr double DET_FALLBACK = 0.1;
 
-template <int D> class EulerianSweeps : public SweepsBase<D> {
+template <int D> class EulerianSweeps : public SweepsBase<D, EulerianRow<D>> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      SweepsBase<D>(o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
+      SweepsBase<D, EulerianRow<D>>(o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
   {
   }
 
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
   int gradient(const Particles &, const NeighborRows &, double) override;
-  void find_switch(const NeighborRows &) override;
+  void find_switch(const Particles &, const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
@@ -36,7 +36,7 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   }
 
  private:
-  using Base = SweepsBase<D>;
+  using Base = SweepsBase<D, EulerianRow<D>>;
   using Base::da, Base::da_stride, Base::extra, Base::image_first, Base::image_j, Base::images,
       Base::keeps_pairs, Base::kin, Base::krow, Base::lonely, Base::mu_max, Base::near_weight,
       Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow,
@@ -67,7 +67,8 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
   template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
   template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
-  void near_weights(int i) override;
+  void near_weights(const Particles &, int i) override;
+  void pack_constants(const Particles &, int i, double *row) const override;
   template <bool PULL, bool TENSILE> typename Base::Power pair_power(int i) const;
 };
 
@@ -80,6 +81,15 @@ void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &li
   Base::size_rows(p, list);
   if (needs_correction()) near_weight.resize(pairs.j.size());
   if (opt.tensile) crowd.resize(pairs.j.size());
+}
+
+template <int D>
+void EulerianSweeps<D>::pack_constants(const Particles &p, int i, double *row) const
+{
+  const TypeData &t = types[p.type[i]];
+  row[Kin::MASS] = p.mass[i];
+  row[Kin::H] = t.h;
+  row[Kin::NEAR] = opt.hbar * t.spacing;
 }
 
 /* ----------------------------------------------------------------------
@@ -281,9 +291,10 @@ Tensor<D, Pack> EulerianSweeps<D>::tension_stress(const Tensor<D, Pack> &sigma) 
   return out;
 }
 
-template <int D> void EulerianSweeps<D>::find_switch(const NeighborRows &list)
+template <int D>
+void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
 {
-  Base::sum_switch(list, at_rate(), [](int, const Motion<D> &d) {
+  Base::sum_switch(p, list, at_rate(), [](int, int, const Motion<D> &d) {
     return d.spread_x();
   });
 }
@@ -405,7 +416,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
 
 // in: m_j Wbar_ij, from the gradient sweep
 
-template <int D> void EulerianSweeps<D>::near_weights(int i)
+template <int D> void EulerianSweeps<D>::near_weights(const Particles &, int i)
 {
   Base::set_near_weights(i, [&](int k) {
     return load(&near_weight[k]);
@@ -431,7 +442,7 @@ void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double
 
 template <int D>
 template <bool PULL, bool TENSILE>
-typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
+typename SweepsBase<D, EulerianRow<D>>::Power EulerianSweeps<D>::pair_power(int i) const
 {
   constexpr int R_AT = extra(0);
   const double *kall = krow.data(), *sall = srow.data(), *si = str(i);

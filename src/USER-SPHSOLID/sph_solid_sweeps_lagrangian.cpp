@@ -38,16 +38,16 @@ constexpr double LEAST_STRETCH = 0.01;
 // this: a Courant number of 0.6 is then still stable
 constexpr double STEP_STRETCH = 0.05;
 
-template <int D> class LagrangianSweeps : public SweepsBase<D> {
+template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>> {
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      SweepsBase<D>(o, t, count_tensors(o))
+      SweepsBase<D, LagrangianRow<D>>(o, t, count_tensors(o))
   {
   }
 
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
   int gradient(const Particles &, const NeighborRows &, double) override;
-  void find_switch(const NeighborRows &) override;
+  void find_switch(const Particles &, const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
@@ -55,7 +55,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   double memory_usage() const override;
 
  private:
-  using Base = SweepsBase<D>;
+  using Base = SweepsBase<D, LagrangianRow<D>>;
   using Base::da, Base::da_stride, Base::early, Base::early_totals, Base::extra, Base::image_first,
       Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::lonely,
       Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt,
@@ -64,7 +64,6 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   using typename Base::Kin;
   using typename Base::Str;
 
-  std::vector<double> sep;         // X_i - X_j of every pair, D doubles
   std::vector<double> nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
   Rows B, F;                       // of own particles, tensors
   std::vector<double> nsum;        // n of the correction, own
@@ -97,20 +96,22 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   Overload overload(int i) const;
   double weight_volume(const Particles &p, int i) const override { return p.vref[i]; }
 
-  Vector<D> reference_position(const Particles &, int row) const;
-  Vector<D> reference_separation(const Particles &, int i, int row) const;
+  // X_i - X_j
+  Vector<D> reference_separation(int i, int j) const
+  {
+    Vector<D> X;
+    for (int a = 0; a < D; a++) X[a] = kin(i)[Kin::REFERENCE + a] - kin(j)[Kin::REFERENCE + a];
+    return X;
+  }
+  double *reference(int row) { return &krow[row * Kin::STRIDE + Kin::REFERENCE]; }
+  void place_references(const Particles &, const NeighborRows &);
+  void unwrap_references(const Particles &, const NeighborRows &);
   int add_pairs(const Particles &, int i, int n, const int *list, bool nearest, int at);
   void fill_vectors(int i);
+  double mass_wbar(const Particles &, int i, int j) const;
   void correct_row(const Particles &, int i);
-  // X_ij of pairs k and, with eight lanes, k + 4
-  Addresses separations(int k) const
-  {
-    const int at[] = {k, 0, 0, 0, k + BLOCK};
-    return Addresses(sep.data(), at, D);
-  }
   void prefetch_pairs(int k) const
   {
-    prefetch(sep.data() + (k + PAIRS_AHEAD) * D, LANES * D);
     prefetch(pairs.factor.data() + k + PAIRS_AHEAD, LANES);
   }
   // one of own particles' tensors
@@ -146,7 +147,8 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
   template <class Call> void each_batch(const NeighborRows &, Call);
   template <PairForm FORM, bool HOURGLASS> typename Base::Power force_row(const Particles &, int i);
   template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
-  void near_weights(int i) override;
+  void near_weights(const Particles &, int i) override;
+  void pack_constants(const Particles &, int i, double *row) const override;
   template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;
 };
 
@@ -156,25 +158,51 @@ template <int D> class LagrangianSweeps : public SweepsBase<D> {
 ------------------------------------------------------------------------- */
 
 template <int D>
-Vector<D> LagrangianSweeps<D>::reference_position(const Particles &p, int row) const
+void LagrangianSweeps<D>::pack_constants(const Particles &p, int i, double *row) const
 {
-  Vector<D> X;
-  if (row < p.nall) {
-    for (int a = 0; a < D; a++) X[a] = p.xref[row][a];
-  } else
-    images.template position<D>(row - p.nall, p.xref[images.source_of(row - p.nall)], X.data());
-  return X;
+  row[Kin::MASS] = p.mass[i];
+  row[Kin::VOLUME] = p.vref[i];
+  for (int a = 0; a < D; a++) row[Kin::REFERENCE + a] = p.xref[i][a];
 }
 
-// X_i - X_j, the nearest one where the box is periodic
+// Bodies cross a periodic box, and their reference does not: move reference positions by whole
+// boxes until partners are neighbors there, too.  How many boxes two rows are to be apart follows
+// from where they are now, so that it is the same from every particle that has both as partners
 
 template <int D>
-Vector<D> LagrangianSweeps<D>::reference_separation(const Particles &p, int i, int row) const
+void LagrangianSweeps<D>::unwrap_references(const Particles &p, const NeighborRows &list)
 {
-  Vector<D> d = reference_position(p, i) - reference_position(p, row);
-  for (int a = 0; a < D; a++)
-    if (p.period[a] > 0.0) d[a] -= p.period[a] * std::round(d[a] / p.period[a]);
-  return d;
+  std::vector<char> placed(p.nall, 0);
+  std::vector<int> open;
+  auto place = [&](int j) {
+    placed[j] = 1;
+    if (j < p.nlocal) open.push_back(j);
+  };
+  for (int ii = 0; ii < list.inum; ii++) {
+    if (!placed[list.ilist[ii]]) place(list.ilist[ii]);
+    while (!open.empty()) {
+      const int i = open.back();
+      open.pop_back();
+      for (int jj = 0; jj < list.numneigh[i]; jj++) {
+        const int j = list.firstneigh[i][jj] & INDEX_MASK;
+        if (placed[j]) continue;
+        const Vector<D> X = reference_separation(i, j);
+        for (int a = 0; a < D; a++)
+          if (p.period[a] > 0.0) reference(j)[a] += p.period[a] * std::round(X[a] / p.period[a]);
+        place(j);
+      }
+    }
+  }
+}
+
+template <int D>
+void LagrangianSweeps<D>::place_references(const Particles &p, const NeighborRows &list)
+{
+  if (p.period[0] > 0.0 || p.period[1] > 0.0 || p.period[2] > 0.0) unwrap_references(p, list);
+  for (int row = p.nall; row < this->nrows; row++) {
+    const int k = row - p.nall;
+    images.template position<D>(k, reference(images.source_of(k)), reference(row));
+  }
 }
 
 // append the nearest or the other partners of a list to row i from at on
@@ -185,18 +213,16 @@ int LagrangianSweeps<D>::add_pairs(const Particles &p, int i, int n, const int *
 {
   for (int jj = 0; jj < n; jj++) {
     const int j = list[jj] & INDEX_MASK;
-    const int source = j < p.nall ? j : images.source_of(j - p.nall);
+    const int source = Base::source_of(j);
     const TypeData &ti = types[p.type[i]], &tj = types[p.type[source]];
     const double h = 0.5 * (ti.h + tj.h), support = 0.5 * opt.hbar * (ti.spacing + tj.spacing);
-    const Vector<D> X = reference_separation(p, i, j);
-    const double r = X.norm();
+    const double r = reference_separation(i, j).norm();
     if ((r < support) != nearest || (!nearest && r >= SUPPORT * h)) continue;
     if (j >= p.nall && r < COINCIDE * h) continue;    // on the plane: its own image
     const double q = r / h;
     pairs.j[at] = j;
     pairs.factor[at] = p.vref[source] * CubicSpline<D>::gradient_factor(r, h);
     nearness[at] = q / (q * q + MU_EPSILON);
-    for (int a = 0; a < D; a++) sep[at * D + a] = X[a];
     at++;
   }
   return at;
@@ -207,8 +233,8 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
 {
   Base::find_image_candidates(p, list, p.xref, reach);
   Base::size_rows(p, list);
+  place_references(p, list);
   const std::size_t n = pairs.j.size();
-  sep.resize(n * D + 1);    // the last one is read as four numbers
   if (opt.hourglass > 0.0) damp.resize(n);
   nearness.resize(n);
   B.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
@@ -243,8 +269,16 @@ template <int D> void LagrangianSweeps<D>::fill_vectors(int i)
     pairs.j[at] = pairs.j[last];
     pairs.factor[at] = 0.0;
     nearness[at] = nearness[last];
-    for (int a = 0; a < D; a++) sep[at * D + a] = sep[last * D + a];
   }
+}
+
+// m_j Wbar(X_ij)
+
+template <int D> double LagrangianSweeps<D>::mass_wbar(const Particles &p, int i, int j) const
+{
+  const double near_i = opt.hbar * types[p.type[i]].spacing;
+  const double near_j = opt.hbar * types[p.type[Base::source_of(j)]].spacing;
+  return Base::wbar_mass(reference_separation(i, j).norm(), kin(j)[Kin::MASS], near_i, near_j);
 }
 
 // B_i and, for the acceleration correction, n_i = sum m_j Wbar(X_ij)
@@ -253,13 +287,9 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
 {
   Tensor<D> M = Tensor<D>::Zero();
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    Vector<D> X;
-    for (int a = 0; a < D; a++) X[a] = sep[k * D + a];
+    const Vector<D> X = reference_separation(i, pairs.j[k]);
     M -= pairs.factor[k] * X * X.transpose();
-    if (k >= pairs.first[i] + pairs.nearest[i]) continue;
-    const int j = pairs.j[k], source = j < p.nall ? j : images.source_of(j - p.nall);
-    const double spacing = 0.5 * (types[p.type[i]].spacing + types[p.type[source]].spacing);
-    nsum[i] += p.mass[source] * CubicSpline<D>::w(X.norm(), 0.5 * opt.hbar * spacing);
+    if (k < pairs.first[i] + pairs.nearest[i]) nsum[i] += mass_wbar(p, i, pairs.j[k]);
   }
   const bool enough = M.determinant() >= DET_FALLBACK;
   const Tensor<D> inverse = enough ? Tensor<D>(M.inverse()) : Tensor<D>::Identity();
@@ -277,6 +307,7 @@ void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
 {
   const double *kall = krow.data();
   const Motion<D> own(kin(i));
+  const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
   Several<D> displacement = Several<D>::zero(), velocity = Several<D>::zero();
   LateHeat heat;
   const int start = pairs.first[i], end_nearest = start + pairs.nearest[i];
@@ -293,13 +324,12 @@ void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
     const Spread factor(load(&pairs.factor[k]));
     Motion<D> d[BLOCK];
     for (int m = 0; m < BLOCK; m++) {
-      d[m] = Motion<D>(Addresses(kall, j + m, Kin::STRIDE)) - own;
-      const Addresses X = separations(k + m);
-      const Several<D> spread = load_spread<D>(X), g = spread * factor[m];    // V0_j g_ij
-      Motion<D> moved = d[m];
-      moved.move_by(X, spread);    // x_j - x_i + X_i - X_j = u_j - u_i
-      add_outer(displacement, moved.expanded_x(), g);
-      add_outer(velocity, moved.expanded_v(), g);
+      const Addresses kj(kall, j + m, Kin::STRIDE);
+      d[m] = Motion<D>(kj) - own;
+      const Pack X = Xi - load(kj + Kin::REFERENCE);
+      const Several<D> g = spread<D>(X) * factor[m];                // V0_j g_ij
+      add_outer(displacement, d[m].expanded_x_plus(X), g);    // x_j - x_i + X_i - X_j = u_j - u_i
+      add_outer(velocity, d[m].expanded_v(), g);
     }
     if (LATE) add_late_pairs(j, k, k < end_nearest, d, heat);
   }
@@ -495,10 +525,12 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
 }
 
-template <int D> void LagrangianSweeps<D>::find_switch(const NeighborRows &list)
+template <int D>
+void LagrangianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
 {
-  Base::sum_switch(list, at_rate(), [&](int k, const Motion<D> &) {
-    return load_spread<D>(separations(k));
+  Base::sum_switch(p, list, at_rate(), [&](int i, int k, const Motion<D> &) {
+    const Addresses Xj(krow.data() + Kin::REFERENCE, &pairs.j[k], Kin::STRIDE);
+    return spread<D>(load_block(kin(i) + Kin::REFERENCE) - load(Xj));
   });
 }
 
@@ -550,7 +582,7 @@ void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &lis
 
 template <int D>
 template <PairForm FORM, bool HOURGLASS>
-typename SweepsBase<D>::Power LagrangianSweeps<D>::force_row(const Particles &p, int i)
+typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(const Particles &p, int i)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
@@ -560,6 +592,7 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::force_row(const Particles &p,
   const double *near = nearness.data(), *factors = pairs.factor.data();
   double *damping = damp.data(), *pulls = pull.data();
   const Motion<D> own(kin(i));
+  const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
   const Several<D> T = load_tensor<D>(si), C = load_tensor<D>(VISCOUS ? si + C_AT : si),
                    rate = load_tensor<D>(RATES ? si + R_AT : si);
   const bool keep = keeps_pairs(), correct = needs_correction();
@@ -580,11 +613,11 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::force_row(const Particles &p,
     const Pack F = load(factors + k);
     const Spread factor(F);
     for (int m = 0; m < BLOCK; m++) {
-      const Addresses sj(sall, j + m, STRIDE);
-      const Several<D> X = load_spread<D>(separations(k + m)), g = X * factor[m];
+      const Addresses kj(kall, j + m, Kin::STRIDE), sj(sall, j + m, STRIDE);
+      const Several<D> X = spread<D>(Xi - load(kj + Kin::REFERENCE)), g = X * factor[m];
       add_times<D>(stress, T + load_tensor<D>(sj), g);
       if (!VISCOUS && !HOURGLASS) continue;
-      d[m] = own - Motion<D>(Addresses(kall, j + m, Kin::STRIDE));
+      d[m] = own - Motion<D>(kj);
       const Pack x = d[m].expanded_x();
       state[m] = load(sj + Str::K);
       if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + C_AT), g);
@@ -648,14 +681,11 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::force_row(const Particles &p,
 
 // over the nearest partners: constant until the partners have new indices
 
-template <int D> void LagrangianSweeps<D>::near_weights(int i)
+template <int D> void LagrangianSweeps<D>::near_weights(const Particles &p, int i)
 {
   Base::set_near_weights(i, [&](int k) {
     return pack_of([&](int m) {
-      const int j = pairs.j[k + m];
-      double r2 = 0.0;
-      for (int a = 0; a < D; a++) r2 += sep[(k + m) * D + a] * sep[(k + m) * D + a];
-      return wbar_mass(std::sqrt(r2), kin(j)[Kin::MASS], kin(i)[Kin::NEAR], kin(j)[Kin::NEAR]);
+      return mass_wbar(p, i, pairs.j[k + m]);
     });
   });
 }
@@ -678,10 +708,11 @@ void LagrangianSweeps<D>::heat(const Particles &, const NeighborRows &list, doub
 
 template <int D>
 template <bool PULL, bool DAMP>
-typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
+typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::pair_power(int i) const
 {
   const double *kall = krow.data();
   const Motion<D> own(kin(i));
+  const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
   Several<D> gradient = Several<D>::zero();
   Pack viscous(0.0), hourglass(0.0);
   for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
@@ -691,8 +722,10 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
     const Pack F = load(&pairs.factor[k]);
     const Spread factor(F), pulled(PULL ? load(&pull[k]) : F), damped(DAMP ? -load(&damp[k]) : F);
     for (int m = 0; m < BLOCK; m++) {
-      const Motion<D> d = Motion<D>(Addresses(kall, j + m, Kin::STRIDE)) - own;
-      add_outer(gradient, d.expanded_v(), load_spread<D>(separations(k + m)) * factor[m]);
+      const Addresses kj(kall, j + m, Kin::STRIDE);
+      const Motion<D> d = Motion<D>(kj) - own;
+      const Pack X = Xi - load(kj + Kin::REFERENCE);
+      add_outer(gradient, d.expanded_v(), spread<D>(X) * factor[m]);
       if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
       if (DAMP) hourglass = multiply_add(damped[m], d.products(), hourglass);
     }
@@ -705,16 +738,19 @@ typename SweepsBase<D>::Power LagrangianSweeps<D>::pair_power(int i) const
 template <int D>
 void LagrangianSweeps<D>::virial(const Particles &, const NeighborRows &list, double *six)
 {
-  const double *sall = srow.data(), *X = sep.data(), *factor = pairs.factor.data();
+  const double *sall = srow.data(), *Xall = krow.data() + Kin::REFERENCE;
+  const double *factor = pairs.factor.data();
   const double *damping = opt.hourglass > 0.0 ? damp.data() : nullptr;
   const int *neighbor = pairs.j.data(), stride = stress_stride;
   const bool pulls = keeps_pairs();
   Base::sum_virial(list, six, [=](int i) {
     const double V0 = kin(i)[Kin::VOLUME];
     const Several<D> T = load_tensor<D>(str(i));
+    const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
     return [=](int k, const Motion<D> &d) {
       const double *sj = sall + static_cast<std::int64_t>(neighbor[k]) * stride;
-      const Several<D> g = load_spread<D>(Addresses(X + k * D)) * Pack(V0 * factor[k]);
+      const Pack X = Xi - load_block(Xall + static_cast<std::int64_t>(neighbor[k]) * Kin::STRIDE);
+      const Several<D> g = spread<D>(X) * Pack(V0 * factor[k]);
       const double central = (damping ? V0 * damping[k] : 0.0) - (pulls ? whole_pull(i, k) : 0.0);
       return expanded<D>(times(T + load_tensor<D>(sj), g)) + Pack(central) * d.expanded_x();
     };
@@ -763,8 +799,7 @@ template <int D> Overload LagrangianSweeps<D>::overload(int i) const
   const double s = least_stretch<D>(Fi);
   if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    double X2 = 0.0;
-    for (int a = 0; a < D; a++) X2 += sep[k * D + a] * sep[k * D + a];
+    const double X2 = reference_separation(i, pairs.j[k]).squaredNorm();
     const double x2 = separation(i, pairs.j[k]).squaredNorm();
     if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
   }
@@ -773,7 +808,7 @@ template <int D> Overload LagrangianSweeps<D>::overload(int i) const
 
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
-  const std::size_t doubles = sep.capacity() + nearness.capacity() + B.capacity() + F.capacity() +
+  const std::size_t doubles = nearness.capacity() + B.capacity() + F.capacity() +
       nsum.capacity() + damp.capacity();
   return Base::memory_usage() + static_cast<double>(doubles * sizeof(double));
 }

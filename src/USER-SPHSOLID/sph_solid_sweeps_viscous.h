@@ -16,18 +16,19 @@ namespace SPHSolid {
    much of the motion around it is not resolved, which takes one more sweep
 ------------------------------------------------------------------------- */
 
-template <int D> Pack SweepsBase<D>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
+template <int D, class Row> Pack SweepsBase<D, Row>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
 {
   if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Pack>(L);
   return balsara_switch<D, Pack>(L, c, h);
 }
 
-// at_rate: where in a row the tensor R is that predicts the jump x_ij.R along(k, d)
+// at_rate: where in a row the tensor R is that predicts the jump x_ij.R along(i, k, d)
 // of pair k, d being the difference of motion
 
-template <int D>
+template <int D, class Row>
 template <class Along>
-void SweepsBase<D>::sum_switch(const NeighborRows &list, int at_rate, Along along)
+void SweepsBase<D, Row>::sum_switch(const Particles &p, const NeighborRows &list, int at_rate,
+                                    Along along)
 {
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
@@ -36,7 +37,7 @@ void SweepsBase<D>::sum_switch(const NeighborRows &list, int at_rate, Along alon
     const int i = list.ilist[ii];
     const Motion<D> own(kin(i));
     const Several<D> rate = load_tensor<D>(str(i) + at_rate);
-    const double least = MU_EPSILON * kin(i)[Kin::H] * kin(i)[Kin::H];    // particles may meet
+    const double h = types[p.type[i]].h, least = MU_EPSILON * h * h;    // particles may meet
     Pack rest2 = 0.0, linear2 = 0.0;
     for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
       const int *j = &pairs.j[k];
@@ -44,7 +45,7 @@ void SweepsBase<D>::sum_switch(const NeighborRows &list, int at_rate, Along alon
       Pack l_i[BLOCK], l_j[BLOCK], r2, vr;
       for (int m = 0; m < BLOCK; m++) {
         d[m] = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
-        const Several<D> X = along(k + m, d[m]);
+        const Several<D> X = along(i, k + m, d[m]);
         const Addresses sj(srow.data(), j + m, stress_stride);
         l_i[m] = d[m].expanded_x() * times(rate, X);
         l_j[m] = d[m].expanded_x() * times(load_tensor<D>(sj + at_rate), X);
@@ -63,7 +64,7 @@ void SweepsBase<D>::sum_switch(const NeighborRows &list, int at_rate, Along alon
   }
 }
 
-template <int D> void SweepsBase<D>::mirror_switch()
+template <int D, class Row> void SweepsBase<D, Row>::mirror_switch()
 {
   for (int k = 0; k < nrows - nparticles; k++)
     *viscosity_switch(nparticles + k) = *viscosity_switch(images.source_of(k));
@@ -73,7 +74,7 @@ template <int D> void SweepsBase<D>::mirror_switch()
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
+template <int D, class Row> void SweepsBase<D, Row>::correction(const Particles &p, const NeighborRows &list)
 {
   mirror_vectors(da.data(), da_stride);
   if (on_the_way())    // own particles have it from the force sweep
@@ -84,7 +85,7 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
 #endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
-    if (!weights_known) near_weights(i);
+    if (!weights_known) near_weights(p, i);
     Pack sum = 0.0;
     if (safe())
       sum = central_correction(i);
@@ -100,7 +101,7 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
 
 // the same with weights safe; the sum in the first lanes
 
-template <int D> Pack SweepsBase<D>::central_correction(int i)
+template <int D, class Row> Pack SweepsBase<D, Row>::central_correction(int i)
 {
   double sum[LANES] = {};
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++) {
@@ -125,9 +126,9 @@ template <int D> Pack SweepsBase<D>::central_correction(int i)
    correction, expanded
 ------------------------------------------------------------------------- */
 
-template <int D>
+template <int D, class Row>
 template <class OfRow>
-void SweepsBase<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_row) const
+void SweepsBase<D, Row>::sum_virial(const NeighborRows &list, double *six, OfRow of_row) const
 {
   const double *kall = krow.data();
   const int *neighbor = pairs.j.data();
@@ -161,7 +162,7 @@ void SweepsBase<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_r
 
 // what the correction puts on i for its nearest neighbor in a pair, expanded
 
-template <int D> inline Pack SweepsBase<D>::near_force(int i, int pair, const Motion<D> &d) const
+template <int D, class Row> inline Pack SweepsBase<D, Row>::near_force(int i, int pair, const Motion<D> &d) const
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
   if (safe()) return Pack(half * near_pull[pair]) * d.expanded_x();
@@ -177,9 +178,9 @@ template <int D> inline Pack SweepsBase<D>::near_force(int i, int pair, const Mo
 
 // of_row(i): the Power of the pairs of i
 
-template <int D>
+template <int D, class Row>
 template <class OfRow>
-void SweepsBase<D>::sum_heat(const NeighborRows &list, double *heat, bool book, OfRow of_row)
+void SweepsBase<D, Row>::sum_heat(const NeighborRows &list, double *heat, bool book, OfRow of_row)
 {
   mirror_vectors(&krow[Kin::V], Kin::STRIDE);
   double viscous = 0.0, standard = 0.0, damped = 0.0;
@@ -204,7 +205,7 @@ void SweepsBase<D>::sum_heat(const NeighborRows &list, double *heat, bool book, 
   if (book) enter({viscous, standard, damped}, 1.0);
 }
 
-template <int D> void SweepsBase<D>::enter(const Totals &t, double factor)
+template <int D, class Row> void SweepsBase<D, Row>::enter(const Totals &t, double factor)
 {
   ledger.viscous_heat += factor * t.viscous;
   ledger.hourglass += factor * t.hourglass;
@@ -213,7 +214,7 @@ template <int D> void SweepsBase<D>::enter(const Totals &t, double factor)
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D> double SweepsBase<D>::standard_power(int i) const
+template <int D, class Row> double SweepsBase<D, Row>::standard_power(int i) const
 {
   if (opt.heating != Heating::COMPATIBLE) return 0.0;
   double power = 0.0;
@@ -223,7 +224,7 @@ template <int D> double SweepsBase<D>::standard_power(int i) const
 
 // the force coefficient of pairs that no correction replaces
 
-template <int D> double SweepsBase<D>::whole_pull(int i, int pair) const
+template <int D, class Row> double SweepsBase<D, Row>::whole_pull(int i, int pair) const
 {
   if (!keeps_pairs()) return 0.0;
   if (needs_correction() && !is_lonely(i) && !is_lonely(pairs.j[pair])) return 0.0;
@@ -233,7 +234,7 @@ template <int D> double SweepsBase<D>::whole_pull(int i, int pair) const
 // standard viscosity of the pairs that the correction must not touch: one of
 // the two has no nearest neighbor.  Symmetric, so momentum stays exact
 
-template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
+template <int D, class Row> void SweepsBase<D, Row>::lonely_pairs(const Particles &p, int i)
 {
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const double s = whole_pull(i, k);
@@ -244,7 +245,7 @@ template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
 
 // half the work of the pairs that a compatible correction leaves alone
 
-template <int D> double SweepsBase<D>::lonely_power(int i) const
+template <int D, class Row> double SweepsBase<D, Row>::lonely_power(int i) const
 {
   if (!lonely || opt.heating != Heating::COMPATIBLE) return 0.0;
   double sum = 0.0;
@@ -262,7 +263,7 @@ template <int D> double SweepsBase<D>::lonely_power(int i) const
 // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
 // safe: half the work of each central pair force, none of it negative for u = v
 
-template <int D> double SweepsBase<D>::heat_correction(int i) const
+template <int D, class Row> double SweepsBase<D, Row>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
   const bool shepard = opt.weights == Weights::SHEPARD;

@@ -158,7 +158,7 @@ class Cloud {
     for (int g = size(); g < p.nall; g++) sweeps->unpack_stress(p, g, sweeps->stress_row(owner[g]));
     sweeps->mirror_stress();
     if (sweeps->sweeps_for_switch()) {
-      sweeps->find_switch(rows);
+      sweeps->find_switch(p, rows);
       for (int g = size(); g < p.nall; g++)
         *sweeps->viscosity_switch(g) = *sweeps->viscosity_switch(owner[g]);
       sweeps->mirror_switch();

@@ -81,6 +81,32 @@ TEST(LagrangianPeriodic, UniformStretchIsUniformStress)
   EXPECT_GT(std::fabs(state[24].stress[1]), 1.0e6);
 }
 
+// a body that spins, shears and flies round the box three times in x and twice in y, parts of it on
+// either side of the boundary most of the time, is the same as one that has room
+
+TEST(LagrangianPeriodic, BodyFliesRoundTheBox)
+{
+  Block b = body();
+  b.fixes = "fix move all sph/solid\ntimestep 5e-8\n";
+  b.motion = "variable vx atom 6e3+5e3*y\nvariable vy atom -6e3-2e4*x*(1+100*y)\n"
+             "velocity all set v_vx v_vy NULL units box\n";
+  b.boundary = "f f";
+  b.box = "-0.1 0.1 -0.1 0.1";
+  const State free = run(b, "run 120");
+  b.boundary = "p p";
+  b.box = "-0.002 0.010 -0.003 0.012";
+  const State round = run(b, "run 120");
+  double most = 0.0;
+  for (std::size_t i = 0; i < free.size(); i++) {
+    for (int k = 0; k < 4; k++) {
+      most = std::max(most, std::fabs(free[i].stress[k]));
+      EXPECT_NEAR(round[i].stress[k], free[i].stress[k], 1.0e-8 * Y0);
+    }
+    for (int k = 0; k < 2; k++) EXPECT_NEAR(round[i].v[k], free[i].v[k], 1.0e-8 * 6.0e3);
+  }
+  EXPECT_GT(most, 0.3 * Y0);
+}
+
 // partners move apart, the communication cutoff follows, and ghosts come from further away: the
 // bins of the neighbor list have to reach as far.  They are set up at the start of a run and not
 // in it, so one that grew out of them was written beyond the arrays.  Soft, so that the rows fly
@@ -118,6 +144,23 @@ TEST(LagrangianPeriodic, BinsFollowTheGhostCutoff)
   EXPECT_THAT(s.log(), HasSubstr("ghost cutoff enlarged"));
   EXPECT_GT(s.lmp->comm->cutghost[0], 2.0 * before);    // more than a bin and the spare one
   expect_a_bin_for_every_ghost(s.lmp);
+}
+
+// its rows fly apart until another image of a partner is nearly as close as the partner
+
+TEST(LagrangianPeriodic, PartnersHalfABoxApartAreAnError)
+{
+  Block b = bar();
+  b.boundary = "p p";
+  b.box = "0 0.012 -0.01 0.014";
+  b.options = "viscosity none hourglass 0";
+  b.material = "inline rho0 7850 eos linear 1e2 shear 1e2 strength elastic\n";
+  b.motion = "variable vy atom 1e4*(y-0.002)\nvelocity all set 0 v_vy 0 units box\n";
+  b.fixes = "fix move all sph/solid\ntimestep 1e-6\n";
+  Session s;
+  s(b.script());
+  s("run 400");    // rows that were 2 mm apart are 10 mm apart now, half the box are 12
+  EXPECT_THAT(s.error("run 100"), HasSubstr("nearly half the periodic box: expected one longer than"));
 }
 
 TEST(LagrangianPeriodic, TriclinicBoxIsRefused)
