@@ -144,38 +144,52 @@ void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag)
   }
   comm->forward_comm(this);
 
-  std::vector<std::vector<tagint>> found(atom->nlocal);
-  int most = maxpartner;
+  // twice, since all lists of IDs together would be the largest array of the setup
+  std::vector<tagint> found;
+  int most = maxpartner, all;
   for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    if (npartner[i] >= 0 || !setflag[atom->type[i]][atom->type[i]]) continue;
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      double r2 = 0.0;
-      for (int k = 0; k < 3; k++)
-        r2 += (atom->x[i][k] - atom->x[j][k]) * (atom->x[i][k] - atom->x[j][k]);
-      if (vref[j] < 0.0 && r2 < cutsq[atom->type[i]][atom->type[j]])
-        found[i].push_back(atom->tag[j]);
-    }
-    std::sort(found[i].begin(), found[i].end());
-    if (std::adjacent_find(found[i].begin(), found[i].end()) != found[i].end())
-      error->one(
-          FLERR, Error::NOLASTLINE,
-          "sph/solid, frame lagrangian: particle {} sees the same partner twice: the periodic "
-          "box must be longer than two ranges of the kernel",
-          atom->tag[i]);
-    most = std::max(most, static_cast<int>(found[i].size()));
+    if (!needs_reference(list->ilist[ii], setflag)) continue;
+    present_partners(list, ii, cutsq, found);
+    most = std::max(most, static_cast<int>(found.size()));
   }
-
-  int all;
   MPI_Allreduce(&most, &all, 1, MPI_INT, MPI_MAX, world);
   widen(all);
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (npartner[i] >= 0) continue;
-    npartner[i] = static_cast<int>(found[i].size());
-    std::copy(found[i].begin(), found[i].end(), partner[i]);
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    if (!needs_reference(i, setflag)) continue;
+    present_partners(list, ii, cutsq, found);
+    std::copy(found.begin(), found.end(), partner[i]);
+    npartner[i] = static_cast<int>(found.size());
   }
+  for (int i = 0; i < atom->nlocal; i++) npartner[i] = std::max(npartner[i], 0);
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) vref[i] = std::fabs(vref[i]);
+}
+
+bool FixSPHSolidPartners::needs_reference(int i, int **setflag) const
+{
+  return npartner[i] < 0 && setflag[atom->type[i]][atom->type[i]];
+}
+
+// IDs of those inside the kernel of an entry of the list that are without reference as well
+
+void FixSPHSolidPartners::present_partners(NeighList *list, int ii, double **cutsq,
+                                           std::vector<tagint> &found) const
+{
+  const int i = list->ilist[ii];
+  found.clear();
+  for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    const int j = list->firstneigh[i][jj] & NEIGHMASK;
+    double r2 = 0.0;
+    for (int k = 0; k < 3; k++)
+      r2 += (atom->x[i][k] - atom->x[j][k]) * (atom->x[i][k] - atom->x[j][k]);
+    if (vref[j] < 0.0 && r2 < cutsq[atom->type[i]][atom->type[j]]) found.push_back(atom->tag[j]);
+  }
+  std::sort(found.begin(), found.end());
+  if (std::adjacent_find(found.begin(), found.end()) != found.end())
+    error->one(FLERR, Error::NOLASTLINE,
+               "sph/solid, frame lagrangian: particle {} sees the same partner twice: the periodic "
+               "box must be longer than two ranges of the kernel",
+               atom->tag[i]);
 }
 
 /* ----------------------------------------------------------------------
@@ -191,6 +205,9 @@ void FixSPHSolidPartners::find(bool setup, int **setflag)
   row.assign(nlocal, nullptr);
   std::vector<int> start(nlocal, 0);
   std::vector<tagint> missing;
+  std::size_t most = 0;
+  for (int i = 0; i < nlocal; i++) most += std::max(npartner[i], 0);
+  index.reserve(most);
   for (int i = 0; i < nlocal; i++) {
     if (!setflag[atom->type[i]][atom->type[i]]) continue;
     own.push_back(i);

@@ -84,6 +84,9 @@ class FixSPHSolidPartners : public Fix {
   int pack_row(int, double *) const;
   int unpack_row(int, const double *);
   void widen(int);
+  bool needs_reference(int i, int **setflag) const;
+  void present_partners(class NeighList *list, int ii, double **cutsq,
+                        std::vector<tagint> &found) const;
   void resolve_missing(std::vector<tagint> &, bool setup);
   void drop(const std::vector<tagint> &gone);
   double largest_distance() const;

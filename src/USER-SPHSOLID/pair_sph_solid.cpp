@@ -24,8 +24,10 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
+#include "my_page.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "npair.h"
 #include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
 #include "sph_solid_sweeps.h"
@@ -73,7 +75,7 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
   message = STRESS;
   message_size = 0;
   resume = resumed = warned_lost = warned_overload = logged = false;
-  integrated = 0;
+  integrated = list_threads = 0;
   evaluated_own = evaluated_all = -1;
 }
 
@@ -154,10 +156,27 @@ void PairSPHSolid::new_neighbors(bool setup)
     if (setup && partners->anyone_without()) {
       neighbor->build_one(list);
       partners->refer(list, cutsq, setflag);
+      empty_list();
     }
     partners->find(setup, setflag);
   }
   sweeps->new_neighbors(particles(), rows(), cutforce + neighbor->skin);
+}
+
+// partners are known, and in three dimensions their neighbor list is a tenth of all memory: give its
+// pages back, unless another list has been made from it
+
+void PairSPHSolid::empty_list()
+{
+  for (int k = 0; k < neighbor->nlist; k++) {
+    const NeighList *other = neighbor->lists[k];
+    if (other->listcopy == list || other->listskip == list || other->listfull == list) return;
+  }
+  list->inum = list->gnum = 0;
+  if (list->ipage)
+    for (int k = 0; k < list_threads; k++)
+      list->ipage[k].init(neighbor->oneatom, neighbor->pgsize, 1);
+  if (list->np) list->np->last_build = -1;    // who asks for it gets a new one
 }
 
 NeighborRows PairSPHSolid::rows() const

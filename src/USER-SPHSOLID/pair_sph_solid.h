@@ -44,6 +44,7 @@ class PairSPHSolid : public Pair {
   void settings(int, char **) override;
   void coeff(int, char **) override;
   void init_style() override;
+  void init_list(int, class NeighList *) override;
   double init_one(int, int) override;
   void write_restart(FILE *) override;
   void read_restart(FILE *) override;
@@ -117,6 +118,7 @@ class PairSPHSolid : public Pair {
   bool warned_overload;
   int evaluated_own, evaluated_all;    // particles of the last evaluation, -1: none
   bool logged;                         // the materials are in the log
+  int list_threads;                    // each has pages of its own in the neighbor list
 
   void allocate();
   void require_environment();
@@ -131,6 +133,7 @@ class PairSPHSolid : public Pair {
   void create_partners();
   void delete_partners();
   void new_neighbors(bool);
+  void empty_list();
   void sort_rows();
   void pack_kinematics(bool);
   void stop_unphysical(int);

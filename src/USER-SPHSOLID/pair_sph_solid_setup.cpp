@@ -145,6 +145,14 @@ void PairSPHSolid::init_style()
   }
 }
 
+// when the list is made, not in every run
+
+void PairSPHSolid::init_list(int id, NeighList *made)
+{
+  Pair::init_list(id, made);
+  list_threads = comm->nthreads;
+}
+
 void PairSPHSolid::require_environment()
 {
   if (!AtomVecSPHSolid::arrays(atom))

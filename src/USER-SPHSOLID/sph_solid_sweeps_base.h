@@ -115,7 +115,6 @@ template <int D, class Row> class SweepsBase : public Sweeps {
   Rows krow, srow, da;           // rows of kinematics, stress, da
   int da_stride = VECTOR;        // da, and with heat on the way the velocity that belongs to it
   std::vector<double> mu_max;    // largest approach rate of own particles
-  std::vector<double> work;      // plastic work of this step, own
   Pairs pairs;
   std::vector<int> image_first, image_j;    // candidates among the images
   std::vector<double> near_weight;          // of pairs of nearest neighbors, for the correction
@@ -153,7 +152,6 @@ template <int D, class Row> class SweepsBase : public Sweeps {
     return mass * CubicSpline<D>::w(r, Real(0.25 * (near_i + near_j)));
   }
   double retained_viscosity() const;
-  void book_plastic_work(const NeighborRows &);
 
   // as many own particles as there are lanes; at the end of a list the last one fills up
   struct Batch {
@@ -204,7 +202,13 @@ template <int D, class Row> class SweepsBase : public Sweeps {
     PointState<D, Pack> state;
     PressureState<Pack> eos;
     Tensor<D, Pack> sigma;    // Cauchy stress, tension positive
+    Pack plastic_work;        // of this step [energy]
   };
+  // of the first n particles of a batch
+  static double sum_of_first(Pack v, int n)
+  {
+    return sum(n < LANES ? v * first_lanes(n) : v);
+  }
   static void load_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
   static void store_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
   Points update_points(const Particles &, const Batch &, const Tensor<D, Pack> &L_mid, double dt);
@@ -275,7 +279,7 @@ template <int D, class Row> class SweepsBase : public Sweeps {
   // of heat on the way: power of own particles with the velocities of the last evaluation, and sums
   // of it as the ledger has them
   struct Totals {
-    double viscous = 0.0, standard = 0.0, hourglass = 0.0;
+    double plastic = 0.0, viscous = 0.0, standard = 0.0, hourglass = 0.0;
   };
   std::vector<double> early;
   Totals early_totals;
@@ -305,7 +309,6 @@ template <int D, class Row> void SweepsBase<D, Row>::size_rows(const Particles &
   if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * da_stride);
   mu_max.assign(p.nlocal, 0.0);
   if (on_the_way()) early.assign(p.nlocal, 0.0);
-  work.assign(p.nlocal, 0.0);
   pairs.first.assign(p.nlocal + 1, 0);
   pairs.count.assign(p.nlocal, 0);
   pairs.nearest.assign(p.nlocal, 0);
@@ -457,14 +460,13 @@ typename SweepsBase<D, Row>::Points SweepsBase<D, Row>::update_points(const Part
     const Resistance<Pack> r = {of(resistances, &R::shear), of(resistances, &R::Y),
                                 of(resistances, &R::H)};
     state.epl = batch.load(p.epl);
-    Pack plastic = advance<D, Pack>(r, state, L_mid, dt);
-    plastic *= mass / state.rho;
-    batch.store(work.data(), plastic);
+    const Pack per_volume = advance<D, Pack>(r, state, L_mid, dt);
+    points.plastic_work = per_volume * (mass / state.rho);
     batch.store(p.rho, state.rho);
     batch.store(p.epl, state.epl);
     store_deviator(p, batch, state);
   } else
-    batch.store(work.data(), Pack(0.0));
+    points.plastic_work = 0.0;
 
   using C = Compression<>;
   const Compression<Pack> k = {of(compressions, &C::a0), of(compressions, &C::b0),
@@ -505,18 +507,8 @@ template <int D, class Row> void SweepsBase<D, Row>::prefetch_points(const Parti
   if (next + LANES > nown) return;
   prefetch(p.stress[next], 6 * LANES);
   prefetch(str(next), LANES * stress_stride);
-  const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume, work.data()};
+  const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume};
   for (const double *array : arrays) prefetch(array + next, LANES);
-}
-
-template <int D, class Row> void SweepsBase<D, Row>::book_plastic_work(const NeighborRows &list)
-{
-  double sum = 0.0;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : sum)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) sum += work[list.ilist[ii]];
-  ledger.plastic_work += sum;
 }
 
 // a particle whose density is not positive, or another number of whom is not
@@ -609,7 +601,7 @@ template <int D, class Row> double SweepsBase<D, Row>::retained_viscosity() cons
 template <int D, class Row> double SweepsBase<D, Row>::memory_usage() const
 {
   const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
-      mu_max.capacity() + early.capacity() + work.capacity() + pull.capacity() +
+      mu_max.capacity() + early.capacity() + pull.capacity() +
       pairs.factor.capacity() + near_weight.capacity() + near_pull.capacity();
   const std::size_t ints = pairs.first.capacity() + pairs.count.capacity() +
       pairs.nearest.capacity() + pairs.j.capacity() + image_first.capacity() + image_j.capacity();

@@ -40,7 +40,7 @@ template <int D> class EulerianSweeps : public SweepsBase<D, EulerianRow<D>> {
   using Base::da, Base::da_stride, Base::extra, Base::image_first, Base::image_j, Base::images,
       Base::keeps_pairs, Base::kin, Base::krow, Base::lonely, Base::mu_max, Base::near_weight,
       Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow,
-      Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull, Base::work;
+      Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -62,7 +62,8 @@ template <int D> class EulerianSweeps : public SweepsBase<D, EulerianRow<D>> {
   void gather(int i, int n, const int *list, Scratch &) const;
   void find_pairs(int i, const NeighborRows &, Scratch &);
   void accumulate(int i, Sums &, int lane);
-  int update(const Particles &, const typename Base::Batch &, Sums &, double dt);
+  int update(const Particles &, const typename Base::Batch &, int n, Sums &, double dt,
+             double &plastic);
   Tensor<D, Pack> tension_stress(const Tensor<D, Pack> &) const;
   int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
   template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
@@ -203,8 +204,9 @@ template <int D>
 int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, double dt)
 {
   std::atomic<int> bad(-1);
+  double plastic = 0.0;
 #if defined(_OPENMP)
-#pragma omp parallel num_threads(nthreads)
+#pragma omp parallel num_threads(nthreads) reduction(+ : plastic)
 #endif
   {
     Scratch s;
@@ -219,20 +221,21 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
         if (first + m < list.inum) find_pairs(batch.i[m], list, s);
         accumulate(batch.i[m], sums, m);
       }
-      const int unphysical = update(p, batch, sums, dt);
+      const int unphysical =
+          update(p, batch, std::min(LANES, list.inum - first), sums, dt, plastic);
       if (unphysical >= 0) bad = unphysical;
     }
   }
-  Base::book_plastic_work(list);
+  this->ledger.plastic_work += plastic;
   return bad;
 }
 
-// constitutive update of a batch and what their neighbors read; the
-// index of one whose state is not physical, or -1
+// constitutive update of a batch, of whom n count in the plastic work, and what their neighbors
+// read; the index of one whose state is not physical, or -1
 
 template <int D>
-int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, Sums &sums,
-                              double dt)
+int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, int n,
+                              Sums &sums, double dt, double &plastic)
 {
   using Tensors = Tensor<D, Pack>;
   const PairForm form = pair_form(opt.viscosity);
@@ -252,6 +255,7 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &ba
   Tensors L = Tensors::Zero();
   if (dt > 0.0) L = midpoint_velocity_gradient<D, Pack>(opt.corrected ? rate : velocity, dt);
   const auto points = Base::update_points(p, batch, L, dt);
+  plastic += Base::sum_of_first(points.plastic_work, n);
 
   const Pack rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
   const Pack mass = batch.load(p.mass);

@@ -60,12 +60,13 @@ template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>>
       Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::lonely,
       Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt,
       Base::pairs, Base::pull, Base::separation, Base::srow, Base::str, Base::stress_stride,
-      Base::types, Base::VECTOR, Base::wbar_mass, Base::whole_pull, Base::work;
+      Base::types, Base::VECTOR, Base::wbar_mass, Base::whole_pull;
   using typename Base::Kin;
   using typename Base::Str;
 
   std::vector<double> nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
-  Rows B, F;                       // of own particles, tensors
+  Rows B;                          // of own particles, tensors
+  Rows F;                          // the same, where no neighbor reads C
   std::vector<double> nsum;        // n of the correction, own
   std::vector<double> damp;        // of every pair: hourglass force on i = V0_i damp x_ij
 
@@ -116,13 +117,14 @@ template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>>
   }
   // one of own particles' tensors
   static constexpr int TENSOR = Blocks<D>::TENSOR;
-  static Tensor<D> tensor(const Rows &rows, int i)
+  static Tensor<D> tensor(const double *blocks)
   {
     Tensor<D> t;
     for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) t(a, b) = rows[i * TENSOR + Blocks<D>::at(a, b)];
+      for (int b = 0; b < D; b++) t(a, b) = blocks[Blocks<D>::at(a, b)];
     return t;
   }
+  Tensor<D> deformation_gradient(int i) const;
 
   // of a row, of the heat that is due: what viscosity, correction and hourglass damping of pairs
   // give, up to factors of the row
@@ -238,7 +240,7 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   if (opt.hourglass > 0.0) damp.resize(n);
   nearness.resize(n);
   B.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
-  F.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
+  if (!viscous()) F.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
   nsum.assign(p.nlocal, 0.0);
 
 #if defined(_OPENMP)
@@ -377,7 +379,6 @@ int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, 
                                 : update<false>(p, batch, n, dt, totals);
     if (unphysical >= 0) bad = unphysical;
   });
-  Base::book_plastic_work(list);
   return bad;
 }
 
@@ -398,20 +399,21 @@ template <int D>
 template <class Call>
 void LagrangianSweeps<D>::each_batch(const NeighborRows &list, Call call)
 {
-  double viscous = 0.0, standard = 0.0, hourglass = 0.0;
+  double plastic = 0.0, viscous = 0.0, standard = 0.0, hourglass = 0.0;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads) \
-    reduction(+ : viscous, standard, hourglass)
+    reduction(+ : plastic, viscous, standard, hourglass)
 #endif
   for (int first = 0; first < list.inum; first += LANES) {
     typename Base::Totals t;
     call(typename Base::Batch(list, first), std::min(LANES, list.inum - first), t);
+    plastic += t.plastic;
     viscous += t.viscous;
     standard += t.standard;
     hourglass += t.hourglass;
   }
   Base::enter(early_totals, this->due.factor);
-  Base::enter({viscous, standard, hourglass}, this->due.factor);
+  Base::enter({plastic, viscous, standard, hourglass}, this->due.factor);
   early_totals = {};
   this->due = {};
 }
@@ -480,7 +482,6 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
   Base::prefetch_points(p, batch);
   const std::ptrdiff_t next = (batch.i[0] + LANES) * static_cast<std::ptrdiff_t>(TENSOR);
   prefetch(B.data() + next, LANES * TENSOR);
-  prefetch(F.data() + next, LANES * TENSOR);
   Sums sums;
   for (int m = 0; m < LANES; m++) accumulate<LATE>(batch.i[m], sums, m);
   add_blocks<D>(sums.displacement);
@@ -492,14 +493,17 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
   const Tensors correction = lanes_of<D>(own);
   const Tensors Fi = Tensors::Identity() + lanes_of<D>(sums.displacement) * correction;
   const Tensors velocity = lanes_of<D>(sums.velocity), rate = velocity * correction;
-  from_lanes<D>(Fi, own);
-  for (int m = 0; m < BLOCK; m++) store_tensor(batch.rows(F.data(), m, TENSOR), own[m]);
+  if (!viscous()) {
+    from_lanes<D>(Fi, own);
+    for (int m = 0; m < BLOCK; m++) store_tensor(batch.rows(F.data(), m, TENSOR), own[m]);
+  }
 
   if (LATE) add_late_heat(p, batch, n, velocity, sums, totals);
 
   Tensors L = Tensors::Zero();
   if (dt > 0.0) L = rate * Tensors(Fi - Pack(0.5 * dt) * rate).inverse();
   const auto points = Base::update_points(p, batch, L, dt);
+  totals.plastic += Base::sum_of_first(points.plastic_work, n);
 
   const Pack rho = points.state.rho, V0 = batch.load(p.vref), J = batch.load(p.mass) / (rho * V0);
   const Tensors inverse = Fi.inverse(), C = J * inverse.transpose() * correction.transpose();
@@ -769,9 +773,16 @@ template <int D> double least_stretch(const Tensor<D> &F)
   return std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
 }
 
+template <int D> Tensor<D> LagrangianSweeps<D>::deformation_gradient(int i) const
+{
+  if (!viscous()) return tensor(&F[i * TENSOR]);
+  const double J = kin(i)[Kin::MASS] / (str(i)[Str::RHO] * kin(i)[Kin::VOLUME]);
+  return J * tensor(str(i) + at_C()).inverse().transpose() * tensor(&B[i * TENSOR]);
+}
+
 template <int D> double LagrangianSweeps<D>::step_factor(int i) const
 {
-  return std::min(1.0, std::max(STEP_STRETCH, least_stretch<D>(tensor(F, i))));
+  return std::min(1.0, std::max(STEP_STRETCH, least_stretch<D>(deformation_gradient(i))));
 }
 
 /* ----------------------------------------------------------------------
@@ -793,7 +804,7 @@ template <int D> Overload LagrangianSweeps<D>::find_overload(const NeighborRows 
 template <int D> Overload LagrangianSweeps<D>::overload(int i) const
 {
   if (pairs.count[i] == 0) return {};
-  const Tensor<D> Fi = tensor(F, i);
+  const Tensor<D> Fi = deformation_gradient(i);
   const double J = Fi.determinant();
   if (!(J > 0.0)) return {Overload::TURNED_OVER, i, J};
   const double s = least_stretch<D>(Fi);

@@ -202,11 +202,12 @@ void SweepsBase<D, Row>::sum_heat(const NeighborRows &list, double *heat, bool b
     viscous += q;
     damped += power.hourglass;
   }
-  if (book) enter({viscous, standard, damped}, 1.0);
+  if (book) enter({0.0, viscous, standard, damped}, 1.0);
 }
 
 template <int D, class Row> void SweepsBase<D, Row>::enter(const Totals &t, double factor)
 {
+  ledger.plastic_work += t.plastic;
   ledger.viscous_heat += factor * t.viscous;
   ledger.hourglass += factor * t.hourglass;
   if (needs_correction()) ledger.returned += factor * (t.standard - t.viscous);

@@ -122,6 +122,28 @@ TEST(LagrangianPartners, NeedNoNeighborListDuringARun)
   expect_bitwise(often, rare.state());
 }
 
+// its pages are given back then, and others may have made theirs from it, or ask for it later
+
+TEST(LagrangianPartners, LeaveOthersTheirNeighborList)
+{
+  Session s;
+  s(body().script());
+  s("run 0");
+  ASSERT_EQ(s.lmp->neighbor->nlist, 1);
+  EXPECT_EQ(s.lmp->neighbor->lists[0]->inum, 0);
+  Session other;
+  other(body().script());
+  other("compute count all coord/atom cutoff 0.0015\nthermo_style custom step pe\nrun 0");
+  for (int run = 0; run < 2; run++) {
+    const std::map<int, double> count = other.per_atom("count");
+    EXPECT_EQ(count.at(1), 3.0);     // a corner of 6 x 8 particles
+    EXPECT_EQ(count.at(2), 5.0);     // on an edge
+    EXPECT_EQ(count.at(8), 8.0);     // inside
+    other("fix_modify move reference renew\nrun 0");
+  }
+  expect_bitwise(run(body(), "run 0"), other.state());
+}
+
 /* ----------------------------------------------------------------------
    particles that come and go
 ------------------------------------------------------------------------- */
