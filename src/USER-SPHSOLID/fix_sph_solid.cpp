@@ -79,8 +79,7 @@ void FixSPHSolid::init()
     error->all(FLERR, "Fix sph/solid works with run_style verlet, not with {}",
                update->integrate_style);
   leading = (leader(lmp) == this);
-  heat_on_the_way = leading && pair->has_energy() && moves_alone();
-  if (leading) heat_on_the_way = pair->keep_heat(heat_on_the_way);
+  heat_on_the_way = leading && pair->keep_heat(moves_alone());
   if (dt_pending > 0.0 && fingerprint != 0 && fingerprint == velocity_fingerprint())
     pair->continue_from_half_step();
   else
@@ -94,6 +93,7 @@ void FixSPHSolid::init()
 
 bool FixSPHSolid::moves_alone() const
 {
+  const int own = modify->find_fix(id);
   int others = 0, others_all = 0, moved_by_us = 0;
   for (int k = 0; k < modify->nfix; k++) {
     const Fix *fix = modify->fix[k];
@@ -105,7 +105,7 @@ bool FixSPHSolid::moves_alone() const
     const int between = INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE;
     if ((modify->fmask[k] & between) || (fix->box_change & ~BOX_CHANGE_DOMAIN)) others = 1;
     // one that adds, removes or moves particles to other ranks must not come first
-    if ((modify->fmask[k] & PRE_EXCHANGE) && k < modify->find_fix(id)) others = 1;
+    if ((modify->fmask[k] & PRE_EXCHANGE) && k < own) others = 1;
   }
   for (int i = 0; i < atom->nlocal; i++) {
     const double *v = atom->v[i];
@@ -244,13 +244,12 @@ void FixSPHSolid::take_up(const double *energy)
 {
   double *e = atom->esph;
   const double *mass = atom->rmass;
-  const int nlocal = atom->nlocal, *type = atom->type;
-  const std::vector<char> ours = pair->types_with_material();
+  const int nlocal = atom->nlocal;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(comm->nthreads)
 #endif
   for (int i = 0; i < nlocal; i++)
-    if (ours[type[i]]) e[i] += energy[i] / mass[i];
+    if (pair->has_material(i)) e[i] += energy[i] / mass[i];
 }
 
 // the next run starts from rest in time

@@ -479,13 +479,6 @@ bool PairSPHSolid::has_material(int i) const
   return setflag[t][t] != 0;
 }
 
-std::vector<char> PairSPHSolid::types_with_material() const
-{
-  std::vector<char> have(atom->ntypes + 1, 0);
-  for (int t = 1; t <= atom->ntypes; t++) have[t] = setflag[t][t] != 0;
-  return have;
-}
-
 double PairSPHSolid::pressure(int i) const
 {
   const double rho_ref = reference_density(atom->rmass[i], atom->vfrac[i]);

@@ -81,8 +81,7 @@ class PairSPHSolid : public Pair {
   bool has_energy() const;                    // is there an energy equation?
   void require_energy(const char *) const;    // stop if not; for whom, for the message
   bool has_material(int) const;               // of own atom i: in a hybrid, others may have none
-  std::vector<char> types_with_material() const;    // of the types, from 1
-  double time_step_limit() const;                   // own atoms, Courant number 1 [time]
+  double time_step_limit() const;             // own atoms, Courant number 1 [time]
   double usual_courant_number() const;
   void cauchy_stress(int, double *) const;
   double pressure(int) const;

@@ -169,11 +169,8 @@ template <int D> inline void from_lanes(const Tensor<D, Pack> &t, Several<D> *ou
 template <int D> inline void add_blocks(Several<D> *t)
 {
   for (int m = 0; m < BLOCK; m++)
-    for (int n = 0; n < Several<D>::N; n++) {
-      Pack each[LANES];
-      for (int b = 0; b < BLOCKS; b++) each[b * BLOCK] = t[m + b * BLOCK].block[n];
-      t[m].block[n] = sums_of_blocks(each);
-    }
+    for (int n = 0; n < Several<D>::N; n++)
+      t[m].block[n] = sums_of_blocks(t[m].block[n], t[m + LANES - BLOCK].block[n]);
 }
 
 // position and velocity of a row, or differences of these

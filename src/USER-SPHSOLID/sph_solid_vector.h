@@ -454,33 +454,38 @@ inline Pack square_root(Pack a)
   return Pack(native_square_root(a.native()));
 }
 
-// the sum of all blocks, in each of them
+// blocks exchanged, if there are two
 
-inline Pack sum_of_blocks(Pack a)
+inline Pack other_block(Pack a)
 {
 #if defined(SPHSOLID_AVX512)
-  const Native n = a.native();
-  return Pack(n + _mm512_maskz_shuffle_f64x2(0xFF, n, n, 0x4E));
+  return Pack(_mm512_maskz_shuffle_f64x2(0xFF, a.native(), a.native(), 0x4E));
 #else
-  if (BLOCKS == 1) return a;
   return pack_of([&](int n) {
-    return a[n % BLOCK] + a[n % BLOCK + LANES - BLOCK];
+    return a[(n + BLOCK) % LANES];
   });
 #endif
 }
 
-// block b: the sum of all blocks of a[b * BLOCK]
+// the sum of all blocks, in each of them
 
-inline Pack sums_of_blocks(const Pack *a)
+inline Pack sum_of_blocks(Pack a)
+{
+  return BLOCKS == 1 ? a : a + other_block(a);
+}
+
+// the sum of all blocks of a and, in a second block, of b
+
+inline Pack sums_of_blocks(Pack a, Pack b)
 {
 #if defined(SPHSOLID_AVX512)
-  const Native p = a[0].native(), q = a[BLOCK].native();
+  const Native p = a.native(), q = b.native();
   return Pack(_mm512_maskz_shuffle_f64x2(0xFF, p, q, 0x44) +
               _mm512_maskz_shuffle_f64x2(0xFF, p, q, 0xEE));
 #else
-  if (BLOCKS == 1) return a[0];
+  if (BLOCKS == 1) return a;
   return pack_of([&](int n) {
-    const Pack &from = a[n / BLOCK * BLOCK];
+    const Pack &from = n < BLOCK ? a : b;
     return from[n % BLOCK] + from[n % BLOCK + LANES - BLOCK];
   });
 #endif
@@ -494,17 +499,9 @@ inline double sum(Pack a)
 
 inline double least(Pack a)
 {
-#if defined(SPHSOLID_AVX512)
-  const Native n = a.native(),
-               m = native_where_positive(_mm512_maskz_shuffle_f64x2(0xFF, n, n, 0x4E) - n, n,
-                                         _mm512_maskz_shuffle_f64x2(0xFF, n, n, 0x4E));
-  a = Pack(m);
-  const int count = BLOCK;
-#else
-  const int count = LANES;
-#endif
+  if (BLOCKS > 1) a = minimum(a, other_block(a));
   double least = a[0];
-  for (int k = 1; k < count; k++) least = a[k] < least ? a[k] : least;
+  for (int k = 1; k < BLOCK; k++) least = a[k] < least ? a[k] : least;
   return least;
 }
 
@@ -555,7 +552,7 @@ struct Spread {
 // follows by itself, and it stops at the end of every page.  Nothing happens behind the end of
 // an array
 
-inline void prefetch(const double *from, int n = 1)
+inline void prefetch(const double *from, int n)
 {
 #if defined(__GNUC__)
   for (int k = 0; k < n; k += 8) __builtin_prefetch(from + k);
