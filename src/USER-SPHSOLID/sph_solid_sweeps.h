@@ -122,7 +122,7 @@ class Sweeps {
   int nthreads = 1;
   Ledger ledger;
   HeatDue due;                // for the next gradient sweep, which adds it to p.e and clears it
-  bool keeps_heat = false;    // the share of v is to be found, where can_keep_heat()
+  bool keeps_heat = false;    // the share of v is to be found: only where can_keep_heat()
 
   // neighbor lists are new: find images, size the storage.  reach: largest
   // cutoff with skin

@@ -283,7 +283,6 @@ template <int D, class Row> class SweepsBase : public Sweeps {
   };
   std::vector<double> early;
   Totals early_totals;
-  bool on_the_way() const { return this->keeps_heat && this->can_keep_heat(); }
   void enter(const Totals &, double factor);
   Pack central_correction(int i);
   Pack near_force(int i, int pair, const Motion<D> &d) const;
@@ -305,10 +304,10 @@ template <int D, class Row> void SweepsBase<D, Row>::size_rows(const Particles &
   nrows = p.nall + (images.any() ? images.count() : 0);
   krow.resize(static_cast<std::size_t>(nrows) * Kin::STRIDE);
   srow.resize(static_cast<std::size_t>(nrows) * stress_stride);
-  da_stride = on_the_way() ? 2 * VECTOR : VECTOR;
+  da_stride = this->keeps_heat ? 2 * VECTOR : VECTOR;
   if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * da_stride);
   mu_max.assign(p.nlocal, 0.0);
-  if (on_the_way()) early.assign(p.nlocal, 0.0);
+  if (this->keeps_heat) early.assign(p.nlocal, 0.0);
   pairs.first.assign(p.nlocal + 1, 0);
   pairs.count.assign(p.nlocal, 0);
   pairs.nearest.assign(p.nlocal, 0);

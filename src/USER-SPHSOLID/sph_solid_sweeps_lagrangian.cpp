@@ -522,7 +522,7 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
   if (needs_switch(pair_form(opt.viscosity)))
     last = Base::own_switch(rate * inverse, square_root(maximum(points.eos.c2, Pack(0.0))), h);
   const Tensors T = points.sigma * C;
-  if (Base::on_the_way()) batch.store(early.data(), V0 * velocity.cwiseProduct(T).sum());
+  if (this->keeps_heat) batch.store(early.data(), V0 * velocity.cwiseProduct(T).sum());
   Base::write_rows(batch, points, T, impedance, last);
   if (viscous()) Base::write_tensors(batch, at_C(), C);
   if (keeps_rates(opt)) Base::write_tensors(batch, at_rate(), rate);
@@ -556,7 +556,7 @@ template <int D>
 template <PairForm FORM, bool HOURGLASS>
 void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
 {
-  const bool heat = Base::on_the_way(), viscous_heat = Base::heats_pairs();
+  const bool heat = this->keeps_heat, viscous_heat = Base::heats_pairs();
   double viscous = 0.0, hourglass = 0.0;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, hourglass)

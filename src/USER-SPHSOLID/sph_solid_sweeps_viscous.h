@@ -77,7 +77,7 @@ template <int D, class Row> void SweepsBase<D, Row>::mirror_switch()
 template <int D, class Row> void SweepsBase<D, Row>::correction(const Particles &p, const NeighborRows &list)
 {
   mirror_vectors(da.data(), da_stride);
-  if (on_the_way())    // own particles have it from the force sweep
+  if (this->keeps_heat)    // own particles have it from the force sweep
     for (int i = nown; i < nrows; i++) std::copy(u(i), u(i) + D, &da[i * da_stride + VECTOR]);
   if (safe()) near_pull.resize(near_weight.size());
 #if defined(_OPENMP)
