@@ -254,7 +254,7 @@ template <int D, class Row> class SweepsBase : public Sweeps {
       store(&near_weight[k], where_positive(first_lanes(end - k), w, Pack(0.0)));
     }
   }
-  double lonely_power(int i) const;
+  template <class Moved, class Apart> double lonely_power(int i, Moved du, Apart dx) const;
   const double *u(int i) const { return kin(i) + Kin::V; }    // during heat: displacements
 
   // of the frame: what a kinematic row has of a particle besides its motion, its volume weight,
@@ -274,7 +274,7 @@ template <int D, class Row> class SweepsBase : public Sweeps {
   };
   template <class OfRow> void sum_heat(const NeighborRows &, double *, bool book, OfRow of_row);
   double heat_correction(int i) const;
-  double standard_power(int i) const;
+  double standard_power(int i, const double *u) const;
 
   // of heat on the way: power of own particles with the velocities of the last evaluation, and sums
   // of it as the ledger has them

@@ -60,7 +60,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>>
       Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::lonely,
       Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt,
       Base::pairs, Base::pull, Base::separation, Base::srow, Base::str, Base::stress_stride,
-      Base::types, Base::VECTOR, Base::wbar_mass, Base::whole_pull;
+      Base::types, Base::u, Base::VECTOR, Base::wbar_mass, Base::whole_pull;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -143,7 +143,8 @@ template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>>
   template <bool LATE>
   int update(const Particles &, const typename Base::Batch &, int n, double dt,
              typename Base::Totals &);
-  double late_lonely_power(int i) const;
+  // velocity of the last evaluation
+  const double *early_v(int i) const { return &da[i * da_stride + VECTOR]; }
   void add_late_heat(const Particles &, const typename Base::Batch &, int n,
                      const Tensor<D, Pack> &velocity, Sums &, typename Base::Totals &) const;
   template <class Call> void each_batch(const NeighborRows &, Call);
@@ -429,11 +430,15 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, const typename Base:
   for (int m = 0; m < n; m++) {
     const int i = batch.i[m];
     if (needs_correction()) {
-      const double lone = late_lonely_power(i);
-      const double *kick = &da[i * da_stride];
-      totals.standard += lone;
-      for (int a = 0; a < D; a++)
-        totals.standard -= kin(i)[Kin::MASS] * kick[a] * (kick[VECTOR + a] + kin(i)[Kin::V + a]);
+      const double lone = Base::lonely_power(
+          i,
+          [&](int j, int a) {
+            return early_v(i)[a] - early_v(j)[a] + (u(i)[a] - u(j)[a]);
+          },
+          [&](int j, int a) {
+            return kin(i)[a] - kin(j)[a] - this->due.drift * (u(i)[a] - u(j)[a]);
+          });
+      totals.standard += lone + Base::standard_power(i, early_v(i)) + Base::standard_power(i, u(i));
       sums.viscous[m] += lone;
     }
     totals.viscous += sums.viscous[m];
@@ -451,24 +456,6 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, const typename Base:
       V0 * velocity.cwiseProduct(lanes_of<D>(rows)).sum() + load(sums.viscous) +
       load(sums.hourglass);
   batch.store(p.e, batch.load(p.e) + this->due.factor * power / batch.load(p.mass));
-}
-
-// half the work of the pairs that the correction left alone
-
-template <int D> double LagrangianSweeps<D>::late_lonely_power(int i) const
-{
-  if (!lonely) return 0.0;
-  double sum = 0.0;
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const int j = pairs.j[k];
-    const double s = whole_pull(i, k);
-    for (int a = 0; a < D; a++) {
-      const double v = kin(i)[Kin::V + a] - kin(j)[Kin::V + a];
-      const double before = da[i * da_stride + VECTOR + a] - da[j * da_stride + VECTOR + a];
-      sum += s * (before + v) * (kin(i)[a] - kin(j)[a] - this->due.drift * v);
-    }
-  }
-  return 0.5 * sum;
 }
 
 // constitutive update of a batch and what their neighbors read; the

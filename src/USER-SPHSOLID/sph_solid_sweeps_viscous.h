@@ -194,8 +194,15 @@ void SweepsBase<D, Row>::sum_heat(const NeighborRows &list, double *heat, bool b
     if (needs_correction()) {
       // what the standard viscosity would heat: q has all of it for eq. 30,
       // else the pairs that no correction touches
-      q += lonely_power(i);
-      standard += q + standard_power(i);
+      q += lonely_power(
+          i,
+          [&](int j, int a) {
+            return u(i)[a] - u(j)[a];
+          },
+          [&](int j, int a) {
+            return kin(i)[a] - kin(j)[a];
+          });
+      standard += q + standard_power(i, u(i));
       q += heat_correction(i);
     }
     heat[i] = power.stress + q + power.hourglass;
@@ -215,11 +222,11 @@ template <int D, class Row> void SweepsBase<D, Row>::enter(const Totals &t, doub
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D, class Row> double SweepsBase<D, Row>::standard_power(int i) const
+template <int D, class Row> double SweepsBase<D, Row>::standard_power(int i, const double *u) const
 {
   if (opt.heating != Heating::COMPATIBLE) return 0.0;
   double power = 0.0;
-  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * da_stride + a] * u(i)[a];
+  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * da_stride + a] * u[a];
   return power;
 }
 
@@ -244,16 +251,19 @@ template <int D, class Row> void SweepsBase<D, Row>::lonely_pairs(const Particle
   }
 }
 
-// half the work of the pairs that a compatible correction leaves alone
+// half the work of the pairs that a compatible correction leaves alone; du(j, a), dx(j, a):
+// components of u_i - u_j and x_i - x_j
 
-template <int D, class Row> double SweepsBase<D, Row>::lonely_power(int i) const
+template <int D, class Row>
+template <class Moved, class Apart>
+double SweepsBase<D, Row>::lonely_power(int i, Moved du, Apart dx) const
 {
   if (!lonely || opt.heating != Heating::COMPATIBLE) return 0.0;
   double sum = 0.0;
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const int j = pairs.j[k];
     const double s = whole_pull(i, k);
-    for (int a = 0; a < D; a++) sum += s * (u(i)[a] - u(j)[a]) * (kin(i)[a] - kin(j)[a]);
+    for (int a = 0; a < D; a++) sum += s * du(j, a) * dx(j, a);
   }
   return 0.5 * sum;
 }
