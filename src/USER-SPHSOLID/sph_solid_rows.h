@@ -39,7 +39,7 @@ template <int D> struct EulerianRow : MotionRow<D> {
   static constexpr int MASS = 2 * Blocks<D>::VECTOR;    // mass
   static constexpr int VOLUME = MASS + 1;               // weight of the gradient sweep, this step's
   static constexpr int H = MASS + 2;                    // smoothing length
-  static constexpr int NEAR = MASS + 3;                 // support of the nearest-neighbor kernel Wbar
+  static constexpr int NEAR = MASS + 3;    // support of the nearest-neighbor kernel Wbar
   static constexpr int STRIDE = MASS + 4;
 };
 

@@ -205,10 +205,7 @@ template <int D, class Row> class SweepsBase : public Sweeps {
     Pack plastic_work;        // of this step [energy]
   };
   // of the first n particles of a batch
-  static double sum_of_first(Pack v, int n)
-  {
-    return sum(n < LANES ? v * first_lanes(n) : v);
-  }
+  static double sum_of_first(Pack v, int n) { return sum(n < LANES ? v * first_lanes(n) : v); }
   static void load_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
   static void store_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
   Points update_points(const Particles &, const Batch &, const Tensor<D, Pack> &L_mid, double dt);
@@ -289,7 +286,8 @@ template <int D, class Row> class SweepsBase : public Sweeps {
   template <class OfRow> void sum_virial(const NeighborRows &, double *six, OfRow of_row) const;
 
   Pack own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const;
-  template <class Along> void sum_switch(const Particles &, const NeighborRows &, int at_rate, Along along);
+  template <class Along>
+  void sum_switch(const Particles &, const NeighborRows &, int at_rate, Along along);
   virtual double switch_weight(int j) const = 0;    // times pairs.factor
 };
 
@@ -297,7 +295,8 @@ template <int D, class Row> class SweepsBase : public Sweeps {
    storage
 ------------------------------------------------------------------------- */
 
-template <int D, class Row> void SweepsBase<D, Row>::size_rows(const Particles &p, const NeighborRows &list)
+template <int D, class Row>
+void SweepsBase<D, Row>::size_rows(const Particles &p, const NeighborRows &list)
 {
   nown = p.nlocal;
   nparticles = p.nall;
@@ -333,8 +332,8 @@ template <int D, class Row> void SweepsBase<D, Row>::size_rows(const Particles &
 // candidates among the images: those of every neighbor and of i itself, at x
 
 template <int D, class Row>
-void SweepsBase<D, Row>::find_image_candidates(const Particles &p, const NeighborRows &list, double **x,
-                                          double reach)
+void SweepsBase<D, Row>::find_image_candidates(const Particles &p, const NeighborRows &list,
+                                               double **x, double reach)
 {
   if (!images.any()) return;
   images.find(p.nall, x, reach);
@@ -357,7 +356,8 @@ void SweepsBase<D, Row>::find_image_candidates(const Particles &p, const Neighbo
 
 /* ---------------------------------------------------------------------- */
 
-template <int D, class Row> void SweepsBase<D, Row>::pack_kinematics(const Particles &p, const double *const *v)
+template <int D, class Row>
+void SweepsBase<D, Row>::pack_kinematics(const Particles &p, const double *const *v)
 {
   double *rows = krow.data();
   const bool weights = !constant_weights();
@@ -391,7 +391,7 @@ template <int D, class Row> void SweepsBase<D, Row>::pack_kinematics(const Parti
 
 template <int D, class Row>
 void SweepsBase<D, Row>::load_deviator(const Particles &p, const Batch &batch,
-                                  PointState<D, Pack> &state)
+                                       PointState<D, Pack> &state)
 {
   auto columns = [&](int at, Pack *c) {
     for (int m = 0; m < BLOCK; m++) c[m] = load(Addresses(p.stress, batch.i + m) + at);
@@ -417,7 +417,7 @@ void SweepsBase<D, Row>::load_deviator(const Particles &p, const Batch &batch,
 
 template <int D, class Row>
 void SweepsBase<D, Row>::store_deviator(const Particles &p, const Batch &batch,
-                                   PointState<D, Pack> &state)
+                                        PointState<D, Pack> &state)
 {
   for (int a = 0; a < D; a++)
     for (int b = 0; b < a; b++) state.S(a, b) = state.S(b, a);
@@ -440,8 +440,9 @@ void SweepsBase<D, Row>::store_deviator(const Particles &p, const Batch &batch,
 ------------------------------------------------------------------------- */
 
 template <int D, class Row>
-typename SweepsBase<D, Row>::Points SweepsBase<D, Row>::update_points(const Particles &p, const Batch &batch,
-                                                            const Tensor<D, Pack> &L_mid, double dt)
+typename SweepsBase<D, Row>::Points
+SweepsBase<D, Row>::update_points(const Particles &p, const Batch &batch,
+                                  const Tensor<D, Pack> &L_mid, double dt)
 {
   auto of = [&](const auto &list, auto member) {
     return of_types(p, batch, [&](int t) {
@@ -476,8 +477,8 @@ typename SweepsBase<D, Row>::Points SweepsBase<D, Row>::update_points(const Part
 }
 
 template <int D, class Row>
-void SweepsBase<D, Row>::write_rows(const Batch &batch, const Points &points, const Tensor<D, Pack> &T,
-                               Pack K, Pack nsum)
+void SweepsBase<D, Row>::write_rows(const Batch &batch, const Points &points,
+                                    const Tensor<D, Pack> &T, Pack K, Pack nsum)
 {
   write_tensors(batch, Str::T, T);
   Pack rho = points.state.rho, c = square_root(maximum(points.eos.c2, Pack(0.0)));
@@ -500,7 +501,8 @@ void SweepsBase<D, Row>::write_tensors(const Batch &batch, int at, const Tensor<
 
 // what the next batch needs, if it lies behind this one
 
-template <int D, class Row> void SweepsBase<D, Row>::prefetch_points(const Particles &p, const Batch &batch) const
+template <int D, class Row>
+void SweepsBase<D, Row>::prefetch_points(const Particles &p, const Batch &batch) const
 {
   const int next = batch.i[0] + LANES;
   if (next + LANES > nown) return;
@@ -513,7 +515,8 @@ template <int D, class Row> void SweepsBase<D, Row>::prefetch_points(const Parti
 // a particle whose density is not positive, or another number of whom is not
 // finite; or -1
 
-template <int D, class Row> int SweepsBase<D, Row>::unphysical(const Batch &batch, Pack rho, Pack others)
+template <int D, class Row>
+int SweepsBase<D, Row>::unphysical(const Batch &batch, Pack rho, Pack others)
 {
   // sum - sum is 0 or not a number
   const Pack sum = rho + others, finite = where_positive(1.0 + (sum - sum), Pack(1.0), Pack(-1.0));
@@ -527,7 +530,8 @@ template <int D, class Row> int SweepsBase<D, Row>::unphysical(const Batch &batc
    rows of ghosts and images
 ------------------------------------------------------------------------- */
 
-template <int D, class Row> void SweepsBase<D, Row>::unpack_stress(const Particles &p, int i, const double *row)
+template <int D, class Row>
+void SweepsBase<D, Row>::unpack_stress(const Particles &p, int i, const double *row)
 {
   std::copy(row, row + stress_stride, str(i));
   p.rho[i] = row[Str::RHO];
@@ -600,8 +604,8 @@ template <int D, class Row> double SweepsBase<D, Row>::retained_viscosity() cons
 template <int D, class Row> double SweepsBase<D, Row>::memory_usage() const
 {
   const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
-      mu_max.capacity() + early.capacity() + pull.capacity() +
-      pairs.factor.capacity() + near_weight.capacity() + near_pull.capacity();
+      mu_max.capacity() + early.capacity() + pull.capacity() + pairs.factor.capacity() +
+      near_weight.capacity() + near_pull.capacity();
   const std::size_t ints = pairs.first.capacity() + pairs.count.capacity() +
       pairs.nearest.capacity() + pairs.j.capacity() + image_first.capacity() + image_j.capacity();
   return static_cast<double>(doubles * sizeof(double) + ints * sizeof(int));

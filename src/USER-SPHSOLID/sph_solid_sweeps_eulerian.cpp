@@ -20,7 +20,8 @@ constexpr double DET_FALLBACK = 0.1;
 template <int D> class EulerianSweeps : public SweepsBase<D, EulerianRow<D>> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      SweepsBase<D, EulerianRow<D>>(o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
+      SweepsBase<D, EulerianRow<D>>(
+          o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
   {
   }
 
@@ -295,8 +296,7 @@ Tensor<D, Pack> EulerianSweeps<D>::tension_stress(const Tensor<D, Pack> &sigma) 
   return out;
 }
 
-template <int D>
-void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
+template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
 {
   Base::sum_switch(p, list, at_rate(), [](int, int, const Motion<D> &d) {
     return d.spread_x();

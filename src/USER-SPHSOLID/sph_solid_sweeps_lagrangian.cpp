@@ -1,304 +1,16 @@
 /* ----------------------------------------------------------------------
-   The sweeps of the Lagrangian frame: pairs and kernel gradients belong to the
-   reference configuration and are never renewed; see sph_solid_sweeps.h.
-
-   With X reference positions, V0 reference volumes, g_ij = grad_i W(X_i - X_j):
-
-     M_i  = sum_j V0_j (X_j - X_i) (x) g_ij,  B_i = M_i^-1
-     F_i  = 1 + [sum_j V0_j (u_j - u_i) (x) g_ij] B_i,  u = x - X
-     F'_i = [sum_j V0_j (v_j - v_i) (x) g_ij] B_i
-     L_i  = F'_i (F_i - dt/2 F'_i)^-1            in the middle of the step
-     C_i  = J_i F_i^-T B_i^T,  J_i = m_i/(rho_i V0_i)
-     f_ij = V0_i V0_j (sigma_i C_i + sigma_j C_j) g_ij
-
-   B makes F exact for linear fields, and the same B in C makes f_ij the exact
-   adjoint of F.  Linear momentum is exact since f_ij = -f_ji; angular momentum
-   since sum_j V0_j (x_j - x_i) (x) C_i g_ij = J_i 1 and sigma is symmetric.
-   Corrected total-Lagrangian SPH: Bonet & Kulasegaram (2002); Ganzenmueller (2015).
+   The sweeps of the Lagrangian frame: velocity gradients with the constitutive
+   update, and forces; see sph_solid_lagrangian.h.
 ------------------------------------------------------------------------- */
 
-#include "sph_solid_sweeps_base.h"
+#include "sph_solid_lagrangian.h"
+#include "sph_solid_lagrangian_heat.h"
+#include "sph_solid_lagrangian_partners.h"
 
-#include <Eigen/Eigenvalues>
 #include <atomic>
 
 using namespace SPHSolid;
-
 namespace {
-
-// below this det M a particle has no partners to speak of and B = 1.  Corners
-// of a body reach 0.05 and need their B
-constexpr double DET_FALLBACK = 0.005;
-
-// the frame ends where the least principal stretch, or the stretch of a pair,
-// falls below this
-constexpr double LEAST_STRETCH = 0.01;
-
-// the time step shrinks with the least principal stretch, but not further than
-// this: a Courant number of 0.6 is then still stable
-constexpr double STEP_STRETCH = 0.05;
-
-template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>> {
- public:
-  LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      SweepsBase<D, LagrangianRow<D>>(o, t, count_tensors(o))
-  {
-  }
-
-  void new_neighbors(const Particles &, const NeighborRows &, double) override;
-  int gradient(const Particles &, const NeighborRows &, double) override;
-  void find_switch(const Particles &, const NeighborRows &) override;
-  void force(const Particles &, const NeighborRows &) override;
-  void heat(const Particles &, const NeighborRows &, double *, bool) override;
-  void virial(const Particles &, const NeighborRows &, double *) override;
-  Overload find_overload(const NeighborRows &) const override;
-  double memory_usage() const override;
-
- private:
-  using Base = SweepsBase<D, LagrangianRow<D>>;
-  using Base::da, Base::da_stride, Base::early, Base::early_totals, Base::extra, Base::image_first,
-      Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::lonely,
-      Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt,
-      Base::pairs, Base::pull, Base::separation, Base::srow, Base::str, Base::stress_stride,
-      Base::types, Base::u, Base::VECTOR, Base::wbar_mass, Base::whole_pull;
-  using typename Base::Kin;
-  using typename Base::Str;
-
-  std::vector<double> nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
-  Rows B;                          // of own particles, tensors
-  Rows F;                          // the same, where no neighbor reads C
-  std::vector<double> nsum;        // n of the correction, own
-  std::vector<double> damp;        // of every pair: hourglass force on i = V0_i damp x_ij
-
-  bool viscous() const { return opt.viscosity != Viscosity::NONE; }
-  static bool keeps_rates(const Options &o)
-  {
-    return o.hourglass > 0.0 || needs_rates(pair_form(o.viscosity));
-  }
-  static int count_tensors(const Options &o)
-  {
-    return (o.viscosity != Viscosity::NONE ? 1 : 0) + (keeps_rates(o) ? 1 : 0);
-  }
-  // where in a stress row: C, F'
-  int at_C() const { return extra(0); }
-  int at_rate() const { return extra(viscous() ? 1 : 0); }
-
-  bool can_keep_heat() const override
-  {
-    if (!opt.energy) return false;
-    return !needs_correction() ||
-        (opt.weights == Weights::CONSERVATIVE && opt.heating == Heating::COMPATIBLE);
-  }
-  void add_due_heat(const Particles &, const NeighborRows &) override;
-  bool constant_weights() const override { return true; }
-  double own_weight(int i) const override { return kin(i)[Kin::VOLUME]; }
-  double switch_weight(int) const override { return 1.0; }    // the factor has V0_j
-  double step_factor(int i) const override;
-  Overload overload(int i) const;
-  double weight_volume(const Particles &p, int i) const override { return p.vref[i]; }
-
-  // X_i - X_j
-  Vector<D> reference_separation(int i, int j) const
-  {
-    Vector<D> X;
-    for (int a = 0; a < D; a++) X[a] = kin(i)[Kin::REFERENCE + a] - kin(j)[Kin::REFERENCE + a];
-    return X;
-  }
-  double *reference(int row) { return &krow[row * Kin::STRIDE + Kin::REFERENCE]; }
-  void place_references(const Particles &, const NeighborRows &);
-  void unwrap_references(const Particles &, const NeighborRows &);
-  int add_pairs(const Particles &, int i, int n, const int *list, bool nearest, int at);
-  void fill_vectors(int i);
-  double mass_wbar(const Particles &, int i, int j) const;
-  void correct_row(const Particles &, int i);
-  void prefetch_pairs(int k) const
-  {
-    prefetch(pairs.factor.data() + k + PAIRS_AHEAD, LANES);
-  }
-  // one of own particles' tensors
-  static constexpr int TENSOR = Blocks<D>::TENSOR;
-  static Tensor<D> tensor(const double *blocks)
-  {
-    Tensor<D> t;
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) t(a, b) = blocks[Blocks<D>::at(a, b)];
-    return t;
-  }
-  Tensor<D> deformation_gradient(int i) const;
-
-  // of a row, of the heat that is due: what viscosity, correction and hourglass damping of pairs
-  // give, up to factors of the row
-  struct LateHeat {
-    Motion<D> kick;    // da and the velocity that belongs to it
-    Pack drift, viscous, corrected, hourglass;
-  };
-  // of a batch: sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g; of the heat that is due, the
-  // viscous part and that of the hourglass damping
-  struct Sums {
-    Several<D> displacement[LANES], velocity[LANES];
-    double viscous[LANES] = {}, hourglass[LANES] = {};
-  };
-  template <bool LATE> void accumulate(int i, Sums &, int lane) const;
-  void add_late_pairs(const int *j, int k, bool nearest, const Motion<D> *d, LateHeat &) const;
-  template <bool LATE>
-  int update(const Particles &, const typename Base::Batch &, int n, double dt,
-             typename Base::Totals &);
-  // velocity of the last evaluation
-  const double *early_v(int i) const { return &da[i * da_stride + VECTOR]; }
-  void add_late_heat(const Particles &, const typename Base::Batch &, int n,
-                     const Tensor<D, Pack> &velocity, Sums &, typename Base::Totals &) const;
-  template <class Call> void each_batch(const NeighborRows &, Call);
-  template <PairForm FORM, bool HOURGLASS> typename Base::Power force_row(const Particles &, int i);
-  template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
-  void near_weights(const Particles &, int i) override;
-  void pack_constants(const Particles &, int i, double *row) const override;
-  template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;
-};
-
-/* ----------------------------------------------------------------------
-   partners have new local indices: everything that is constant between two
-   such moments
-------------------------------------------------------------------------- */
-
-template <int D>
-void LagrangianSweeps<D>::pack_constants(const Particles &p, int i, double *row) const
-{
-  row[Kin::MASS] = p.mass[i];
-  row[Kin::VOLUME] = p.vref[i];
-  for (int a = 0; a < D; a++) row[Kin::REFERENCE + a] = p.xref[i][a];
-}
-
-// Bodies cross a periodic box, and their reference does not: move reference positions by whole
-// boxes until partners are neighbors there, too.  How many boxes two rows are to be apart follows
-// from where they are now, so that it is the same from every particle that has both as partners
-
-template <int D>
-void LagrangianSweeps<D>::unwrap_references(const Particles &p, const NeighborRows &list)
-{
-  std::vector<char> placed(p.nall, 0);
-  std::vector<int> open;
-  auto place = [&](int j) {
-    placed[j] = 1;
-    if (j < p.nlocal) open.push_back(j);
-  };
-  for (int ii = 0; ii < list.inum; ii++) {
-    if (!placed[list.ilist[ii]]) place(list.ilist[ii]);
-    while (!open.empty()) {
-      const int i = open.back();
-      open.pop_back();
-      for (int jj = 0; jj < list.numneigh[i]; jj++) {
-        const int j = list.firstneigh[i][jj] & INDEX_MASK;
-        if (placed[j]) continue;
-        const Vector<D> X = reference_separation(i, j);
-        for (int a = 0; a < D; a++)
-          if (p.period[a] > 0.0) reference(j)[a] += p.period[a] * std::round(X[a] / p.period[a]);
-        place(j);
-      }
-    }
-  }
-}
-
-template <int D>
-void LagrangianSweeps<D>::place_references(const Particles &p, const NeighborRows &list)
-{
-  if (p.period[0] > 0.0 || p.period[1] > 0.0 || p.period[2] > 0.0) unwrap_references(p, list);
-  for (int row = p.nall; row < this->nrows; row++) {
-    const int k = row - p.nall;
-    images.template position<D>(k, reference(images.source_of(k)), reference(row));
-  }
-}
-
-// append the nearest or the other partners of a list to row i from at on
-
-template <int D>
-int LagrangianSweeps<D>::add_pairs(const Particles &p, int i, int n, const int *list, bool nearest,
-                                   int at)
-{
-  for (int jj = 0; jj < n; jj++) {
-    const int j = list[jj] & INDEX_MASK;
-    const int source = Base::source_of(j);
-    const TypeData &ti = types[p.type[i]], &tj = types[p.type[source]];
-    const double h = 0.5 * (ti.h + tj.h), support = 0.5 * opt.hbar * (ti.spacing + tj.spacing);
-    const double r = reference_separation(i, j).norm();
-    if ((r < support) != nearest || (!nearest && r >= SUPPORT * h)) continue;
-    if (j >= p.nall && r < COINCIDE * h) continue;    // on the plane: its own image
-    const double q = r / h;
-    pairs.j[at] = j;
-    pairs.factor[at] = p.vref[source] * CubicSpline<D>::gradient_factor(r, h);
-    nearness[at] = q / (q * q + MU_EPSILON);
-    at++;
-  }
-  return at;
-}
-
-template <int D>
-void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
-{
-  Base::find_image_candidates(p, list, p.xref, reach);
-  Base::size_rows(p, list);
-  place_references(p, list);
-  const std::size_t n = pairs.j.size();
-  if (opt.hourglass > 0.0) damp.resize(n);
-  nearness.resize(n);
-  B.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
-  if (!viscous()) F.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
-  nsum.assign(p.nlocal, 0.0);
-
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii], start = pairs.first[i];
-    const int nimage = images.any() ? image_first[i + 1] - image_first[i] : 0;
-    const int *image = nimage ? &image_j[image_first[i]] : nullptr;
-    int at = add_pairs(p, i, list.numneigh[i], list.firstneigh[i], true, start);
-    at = add_pairs(p, i, nimage, image, true, at);
-    pairs.nearest[i] = needs_correction() ? at - start : 0;
-    at = add_pairs(p, i, list.numneigh[i], list.firstneigh[i], false, at);
-    at = add_pairs(p, i, nimage, image, false, at);
-    pairs.count[i] = at - start;
-    fill_vectors(i);
-    correct_row(p, i);
-  }
-  if (needs_correction()) near_weight.resize(n);
-}
-
-// the last pair again, without weight
-
-template <int D> void LagrangianSweeps<D>::fill_vectors(int i)
-{
-  const int n = pairs.count[i], last = pairs.first[i] + n - 1;
-  for (int at = last + 1; at < pairs.first[i] + whole_vectors(n); at++) {
-    pairs.j[at] = pairs.j[last];
-    pairs.factor[at] = 0.0;
-    nearness[at] = nearness[last];
-  }
-}
-
-// m_j Wbar(X_ij)
-
-template <int D> double LagrangianSweeps<D>::mass_wbar(const Particles &p, int i, int j) const
-{
-  const double near_i = opt.hbar * types[p.type[i]].spacing;
-  const double near_j = opt.hbar * types[p.type[Base::source_of(j)]].spacing;
-  return Base::wbar_mass(reference_separation(i, j).norm(), kin(j)[Kin::MASS], near_i, near_j);
-}
-
-// B_i and, for the acceleration correction, n_i = sum m_j Wbar(X_ij)
-
-template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i)
-{
-  Tensor<D> M = Tensor<D>::Zero();
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const Vector<D> X = reference_separation(i, pairs.j[k]);
-    M -= pairs.factor[k] * X * X.transpose();
-    if (k < pairs.first[i] + pairs.nearest[i]) nsum[i] += mass_wbar(p, i, pairs.j[k]);
-  }
-  const bool enough = M.determinant() >= DET_FALLBACK;
-  const Tensor<D> inverse = enough ? Tensor<D>(M.inverse()) : Tensor<D>::Identity();
-  for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++) B[i * TENSOR + Blocks<D>::at(a, b)] = inverse(a, b);
-}
 
 /* ----------------------------------------------------------------------
    gradient sweep
@@ -330,7 +42,7 @@ void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
       const Addresses kj(kall, j + m, Kin::STRIDE);
       d[m] = Motion<D>(kj) - own;
       const Pack X = Xi - load(kj + Kin::REFERENCE);
-      const Several<D> g = spread<D>(X) * factor[m];                // V0_j g_ij
+      const Several<D> g = spread<D>(X) * factor[m];          // V0_j g_ij
       add_outer(displacement, d[m].expanded_x_plus(X), g);    // x_j - x_i + X_i - X_j = u_j - u_i
       add_outer(velocity, d[m].expanded_v(), g);
     }
@@ -345,31 +57,6 @@ void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
   sums.hourglass[lane] = -half * Motion<D>::v_dot_x(heat.hourglass);
 }
 
-// pairs k to k + LANES - 1, d: motion of j less that of i
-
-template <int D>
-inline void LagrangianSweeps<D>::add_late_pairs(const int *j, int k, bool nearest,
-                                                const Motion<D> *d, LateHeat &heat) const
-{
-  if (opt.hourglass > 0.0) {
-    const Spread damped(load(&damp[k]));
-    for (int m = 0; m < BLOCK; m++)
-      heat.hourglass = multiply_add(damped[m], d[m].before(heat.drift).products(), heat.hourglass);
-  }
-  if (Base::heats_pairs()) {
-    const Spread pulled(load(&pull[k]));
-    for (int m = 0; m < BLOCK; m++)
-      heat.viscous = multiply_add(pulled[m], d[m].before(heat.drift).products(), heat.viscous);
-  }
-  if (needs_correction() && nearest) {    // w_ij (da_i - da_j).(v_i - v_j + v'_i - v'_j)
-    const Spread weight(load(&near_weight[k]));
-    for (int m = 0; m < BLOCK; m++) {
-      const Motion<D> kick = heat.kick - Motion<D>(Addresses(da.data(), j + m, da_stride));
-      heat.corrected = multiply_add(weight[m], kick.products_less(d[m]), heat.corrected);
-    }
-  }
-}
-
 template <int D>
 int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, double dt)
 {
@@ -381,17 +68,6 @@ int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, 
     if (unphysical >= 0) bad = unphysical;
   });
   return bad;
-}
-
-template <int D>
-void LagrangianSweeps<D>::add_due_heat(const Particles &p, const NeighborRows &list)
-{
-  each_batch(list, [&](const typename Base::Batch &batch, int n, typename Base::Totals &totals) {
-    Sums sums;
-    for (int m = 0; m < LANES; m++) accumulate<true>(batch.i[m], sums, m);
-    add_blocks<D>(sums.velocity);
-    add_late_heat(p, batch, n, lanes_of<D>(sums.velocity), sums, totals);
-  });
 }
 
 // call(batch, particles of it that count, totals of the heat that is due); after it nothing is due
@@ -417,45 +93,6 @@ void LagrangianSweeps<D>::each_batch(const NeighborRows &list, Call call)
   Base::enter({plastic, viscous, standard, hourglass}, this->due.factor);
   early_totals = {};
   this->due = {};
-}
-
-// what the last evaluation's forces do to the particles of a batch, of whom n count in totals,
-// with the velocities of that evaluation plus these
-
-template <int D>
-void LagrangianSweeps<D>::add_late_heat(const Particles &p, const typename Base::Batch &batch,
-                                        int n, const Tensor<D, Pack> &velocity, Sums &sums,
-                                        typename Base::Totals &totals) const
-{
-  for (int m = 0; m < n; m++) {
-    const int i = batch.i[m];
-    if (needs_correction()) {
-      const double lone = Base::lonely_power(
-          i,
-          [&](int j, int a) {
-            return early_v(i)[a] - early_v(j)[a] + (u(i)[a] - u(j)[a]);
-          },
-          [&](int j, int a) {
-            return kin(i)[a] - kin(j)[a] - this->due.drift * (u(i)[a] - u(j)[a]);
-          });
-      totals.standard += lone + Base::standard_power(i, early_v(i)) + Base::standard_power(i, u(i));
-      sums.viscous[m] += lone;
-    }
-    totals.viscous += sums.viscous[m];
-    totals.hourglass += sums.hourglass[m];
-  }
-  for (int m = n; m < LANES; m++) {    // the last one again
-    sums.viscous[m] = sums.viscous[n - 1];
-    sums.hourglass[m] = sums.hourglass[n - 1];
-  }
-  Several<D> rows[BLOCK];
-  for (int m = 0; m < BLOCK; m++)
-    rows[m] = load_tensor<D>(batch.rows(srow.data(), m, stress_stride) + Str::T);
-  const Pack V0 = batch.load(p.vref);
-  const Pack power = batch.load(early.data()) +
-      V0 * velocity.cwiseProduct(lanes_of<D>(rows)).sum() + load(sums.viscous) +
-      load(sums.hourglass);
-  batch.store(p.e, batch.load(p.e) + this->due.factor * power / batch.load(p.mass));
 }
 
 // constitutive update of a batch and what their neighbors read; the
@@ -516,8 +153,7 @@ int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
 }
 
-template <int D>
-void LagrangianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
+template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
 {
   Base::sum_switch(p, list, at_rate(), [&](int i, int k, const Motion<D> &) {
     const Addresses Xj(krow.data() + Kin::REFERENCE, &pairs.j[k], Kin::STRIDE);
@@ -573,7 +209,8 @@ void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &lis
 
 template <int D>
 template <PairForm FORM, bool HOURGLASS>
-typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(const Particles &p, int i)
+typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(const Particles &p,
+                                                                               int i)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
@@ -668,147 +305,6 @@ typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(c
   }
   mu_max[i] = -least(mu_least);
   return {0.0, 0.5 * V0 * sum(viscous_power), -0.5 * V0 * sum(hourglass_power)};
-}
-
-// over the nearest partners: constant until the partners have new indices
-
-template <int D> void LagrangianSweeps<D>::near_weights(const Particles &p, int i)
-{
-  Base::set_near_weights(i, [&](int k) {
-    return pack_of([&](int m) {
-      return mass_wbar(p, i, pairs.j[k + m]);
-    });
-  });
-}
-
-/* ----------------------------------------------------------------------
-   heat
-------------------------------------------------------------------------- */
-
-// stress: V0_i T_i : sum_j V0_j (u_j - u_i) (x) g, exact adjoint of the force
-
-template <int D>
-void LagrangianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
-{
-  with_flags(Base::heats_pairs(), opt.hourglass > 0.0, [&](auto pull, auto damp) {
-    Base::sum_heat(list, heat, book, [this](int i) {
-      return pair_power<decltype(pull)::value, decltype(damp)::value>(i);
-    });
-  });
-}
-
-template <int D>
-template <bool PULL, bool DAMP>
-typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::pair_power(int i) const
-{
-  const double *kall = krow.data();
-  const Motion<D> own(kin(i));
-  const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
-  Several<D> gradient = Several<D>::zero();
-  Pack viscous(0.0), hourglass(0.0);
-  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
-    const int *j = &pairs.j[k];
-    prefetch_pairs(k);
-    if (DAMP) prefetch(damp.data() + k + PAIRS_AHEAD, LANES);
-    const Pack F = load(&pairs.factor[k]);
-    const Spread factor(F), pulled(PULL ? load(&pull[k]) : F), damped(DAMP ? -load(&damp[k]) : F);
-    for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, Kin::STRIDE);
-      const Motion<D> d = Motion<D>(kj) - own;
-      const Pack X = Xi - load(kj + Kin::REFERENCE);
-      add_outer(gradient, d.expanded_v(), spread<D>(X) * factor[m]);
-      if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
-      if (DAMP) hourglass = multiply_add(damped[m], d.products(), hourglass);
-    }
-  }
-  const double V0 = kin(i)[Kin::VOLUME];
-  return {V0 * contract(gradient, load_tensor<D>(str(i))), 0.5 * V0 * Motion<D>::v_dot_x(viscous),
-          0.5 * V0 * Motion<D>::v_dot_x(hourglass)};
-}
-
-template <int D>
-void LagrangianSweeps<D>::virial(const Particles &, const NeighborRows &list, double *six)
-{
-  const double *sall = srow.data(), *Xall = krow.data() + Kin::REFERENCE;
-  const double *factor = pairs.factor.data();
-  const double *damping = opt.hourglass > 0.0 ? damp.data() : nullptr;
-  const int *neighbor = pairs.j.data(), stride = stress_stride;
-  const bool pulls = keeps_pairs();
-  Base::sum_virial(list, six, [=](int i) {
-    const double V0 = kin(i)[Kin::VOLUME];
-    const Several<D> T = load_tensor<D>(str(i));
-    const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
-    return [=](int k, const Motion<D> &d) {
-      const double *sj = sall + static_cast<std::int64_t>(neighbor[k]) * stride;
-      const Pack X = Xi - load_block(Xall + static_cast<std::int64_t>(neighbor[k]) * Kin::STRIDE);
-      const Several<D> g = spread<D>(X) * Pack(V0 * factor[k]);
-      const double central = (damping ? V0 * damping[k] : 0.0) - (pulls ? whole_pull(i, k) : 0.0);
-      return expanded<D>(times(T + load_tensor<D>(sj), g)) + Pack(central) * d.expanded_x();
-    };
-  });
-}
-
-/* ----------------------------------------------------------------------
-   particles come closer with the least principal stretch, and so must the
-   time step
-------------------------------------------------------------------------- */
-
-template <int D> double least_stretch(const Tensor<D> &F)
-{
-  Eigen::SelfAdjointEigenSolver<Tensor<D>> eigen;
-  eigen.computeDirect(F.transpose() * F, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
-}
-
-template <int D> Tensor<D> LagrangianSweeps<D>::deformation_gradient(int i) const
-{
-  if (!viscous()) return tensor(&F[i * TENSOR]);
-  const double J = kin(i)[Kin::MASS] / (str(i)[Str::RHO] * kin(i)[Kin::VOLUME]);
-  return J * tensor(str(i) + at_C()).inverse().transpose() * tensor(&B[i * TENSOR]);
-}
-
-template <int D> double LagrangianSweeps<D>::step_factor(int i) const
-{
-  return std::min(1.0, std::max(STEP_STRETCH, least_stretch<D>(deformation_gradient(i))));
-}
-
-/* ----------------------------------------------------------------------
-   where the frame ends: F turned over, squeezed flat, or two partners on top
-   of each other
-------------------------------------------------------------------------- */
-
-template <int D> Overload LagrangianSweeps<D>::find_overload(const NeighborRows &list) const
-{
-  int first = list.inum;    // in the list, of those that are beyond it
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(min : first)
-#endif
-  for (int ii = 0; ii < list.inum; ii++)
-    if (ii < first && overload(list.ilist[ii]).kind != Overload::NONE) first = ii;
-  return first < list.inum ? overload(list.ilist[first]) : Overload();
-}
-
-template <int D> Overload LagrangianSweeps<D>::overload(int i) const
-{
-  if (pairs.count[i] == 0) return {};
-  const Tensor<D> Fi = deformation_gradient(i);
-  const double J = Fi.determinant();
-  if (!(J > 0.0)) return {Overload::TURNED_OVER, i, J};
-  const double s = least_stretch<D>(Fi);
-  if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const double X2 = reference_separation(i, pairs.j[k]).squaredNorm();
-    const double x2 = separation(i, pairs.j[k]).squaredNorm();
-    if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
-  }
-  return {};
-}
-
-template <int D> double LagrangianSweeps<D>::memory_usage() const
-{
-  const std::size_t doubles = nearness.capacity() + B.capacity() + F.capacity() +
-      nsum.capacity() + damp.capacity();
-  return Base::memory_usage() + static_cast<double>(doubles * sizeof(double));
 }
 
 }    // namespace

@@ -16,7 +16,8 @@ namespace SPHSolid {
    much of the motion around it is not resolved, which takes one more sweep
 ------------------------------------------------------------------------- */
 
-template <int D, class Row> Pack SweepsBase<D, Row>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
+template <int D, class Row>
+Pack SweepsBase<D, Row>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
 {
   if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Pack>(L);
   return balsara_switch<D, Pack>(L, c, h);
@@ -74,7 +75,8 @@ template <int D, class Row> void SweepsBase<D, Row>::mirror_switch()
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D, class Row> void SweepsBase<D, Row>::correction(const Particles &p, const NeighborRows &list)
+template <int D, class Row>
+void SweepsBase<D, Row>::correction(const Particles &p, const NeighborRows &list)
 {
   mirror_vectors(da.data(), da_stride);
   if (this->keeps_heat)    // own particles have it from the force sweep
@@ -162,7 +164,8 @@ void SweepsBase<D, Row>::sum_virial(const NeighborRows &list, double *six, OfRow
 
 // what the correction puts on i for its nearest neighbor in a pair, expanded
 
-template <int D, class Row> inline Pack SweepsBase<D, Row>::near_force(int i, int pair, const Motion<D> &d) const
+template <int D, class Row>
+inline Pack SweepsBase<D, Row>::near_force(int i, int pair, const Motion<D> &d) const
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
   if (safe()) return Pack(half * near_pull[pair]) * d.expanded_x();

@@ -136,9 +136,9 @@ TEST(LagrangianPartners, LeaveOthersTheirNeighborList)
   other("compute count all coord/atom cutoff 0.0015\nthermo_style custom step pe\nrun 0");
   for (int run = 0; run < 2; run++) {
     const std::map<int, double> count = other.per_atom("count");
-    EXPECT_EQ(count.at(1), 3.0);     // a corner of 6 x 8 particles
-    EXPECT_EQ(count.at(2), 5.0);     // on an edge
-    EXPECT_EQ(count.at(8), 8.0);     // inside
+    EXPECT_EQ(count.at(1), 3.0);    // a corner of 6 x 8 particles
+    EXPECT_EQ(count.at(2), 5.0);    // on an edge
+    EXPECT_EQ(count.at(8), 8.0);    // inside
     other("fix_modify move reference renew\nrun 0");
   }
   expect_bitwise(run(body(), "run 0"), other.state());

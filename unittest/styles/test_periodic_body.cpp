@@ -160,7 +160,8 @@ TEST(LagrangianPeriodic, PartnersHalfABoxApartAreAnError)
   Session s;
   s(b.script());
   s("run 400");    // rows that were 2 mm apart are 10 mm apart now, half the box are 12
-  EXPECT_THAT(s.error("run 100"), HasSubstr("nearly half the periodic box: expected one longer than"));
+  EXPECT_THAT(s.error("run 100"),
+              HasSubstr("nearly half the periodic box: expected one longer than"));
 }
 
 TEST(LagrangianPeriodic, TriclinicBoxIsRefused)
