@@ -242,13 +242,13 @@ typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(c
     const Spread factor(F);
     for (int m = 0; m < BLOCK; m++) {
       const Addresses kj(kall, j + m, Kin::STRIDE), sj(sall, j + m, STRIDE);
-      const Several<D> X = spread<D>(Xi - load(kj + Kin::REFERENCE)), g = X * factor[m];
-      add_times<D>(stress, T + load_tensor<D>(sj), g);
+      const Several<D> X = spread<D>(Xi - load(kj + Kin::REFERENCE));
+      stress = multiply_add(factor[m], times(T + load_tensor<D>(sj), X), stress);
       if (!VISCOUS && !HOURGLASS) continue;
       d[m] = own - Motion<D>(kj);
       const Pack x = d[m].expanded_x();
       state[m] = load(sj + Str::K);
-      if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + C_AT), g);
+      if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + C_AT), X);
       if (BOTH) {
         l_i[m] = x * times(rate, X);
         l_j[m] = x * times(load_tensor<D>(sj + R_AT), X);
@@ -279,7 +279,7 @@ typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(c
       const Pack rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
       Pack Pi = rho * mu * (a2 * mu - a1 * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
-      const Pack G = 0.5 * sums(along[0], along[1], along[2], along[3]);
+      const Pack G = 0.5 * F * sums(along[0], along[1], along[2], along[3]);
       Pack s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
       if (keep) {
         store(pulls + k, s);
