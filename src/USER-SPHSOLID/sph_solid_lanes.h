@@ -173,6 +173,40 @@ template <int D> inline void add_blocks(Several<D> *t)
       t[m].block[n] = sums_of_blocks(t[m].block[n], t[m + LANES - BLOCK].block[n]);
 }
 
+// of as many pairs as there are lanes: a lane of each component belongs to one of them
+
+template <int D> struct Components {
+  Pack x[D], v[D];
+
+  Pack x_dot_x() const
+  {
+    Pack s = x[0] * x[0];
+    for (int a = 1; a < D; a++) s = multiply_add(x[a], x[a], s);
+    return s;
+  }
+  Pack v_dot_x() const
+  {
+    Pack s = v[0] * x[0];
+    for (int a = 1; a < D; a++) s = multiply_add(v[a], x[a], s);
+    return s;
+  }
+  // sum += s x
+  void add_to(Pack *sum, Pack s) const
+  {
+    for (int a = 0; a < D; a++) sum[a] = multiply_add(s, x[a], sum[a]);
+  }
+};
+
+// the sums over all lanes of D packs, in the first lanes
+
+template <int D> inline Pack sums_of(const Pack *a)
+{
+  if constexpr (D == 2)
+    return sum_of_blocks(sums(a[0], a[1], a[0], a[1]));
+  else
+    return sum_of_blocks(sums(a[0], a[1], a[2], a[2]));
+}
+
 // position and velocity of a row, or differences of these
 
 template <int D> struct Motion;
@@ -217,9 +251,12 @@ template <> struct Motion<2> {
     const Pack s = sum_of_blocks(products);
     return s[2] + s[3];
   }
-  static void dots(const Motion *d, Pack &xx, Pack &vx)
+  // of each pair in a lane of its own
+  static Components<2> components(const Motion *d)
   {
-    half_sums(d[0].products(), d[1].products(), d[2].products(), d[3].products(), xx, vx);
+    Pack x = d[0].xv, y = d[1].xv, vx = d[2].xv, vy = d[3].xv;
+    transpose(x, y, vx, vy);
+    return {{x, y}, {vx, vy}};
   }
 };
 
@@ -257,11 +294,16 @@ template <> struct Motion<3> {
   Pack products() const { return velocity * position; }
   Pack products_less(const Motion &other) const { return (velocity - other.velocity) * position; }
   static double v_dot_x(Pack products) { return sum(products); }
-  static void dots(const Motion *d, Pack &xx, Pack &vx)
+  static Components<3> components(const Motion *d)
   {
-    xx = sums(d[0].position * d[0].position, d[1].position * d[1].position,
-              d[2].position * d[2].position, d[3].position * d[3].position);
-    vx = sums(d[0].products(), d[1].products(), d[2].products(), d[3].products());
+    Pack x[BLOCK], v[BLOCK];
+    for (int m = 0; m < BLOCK; m++) {
+      x[m] = d[m].position;
+      v[m] = d[m].velocity;
+    }
+    transpose(x[0], x[1], x[2], x[3]);
+    transpose(v[0], v[1], v[2], v[3]);
+    return {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}};
   }
 };
 

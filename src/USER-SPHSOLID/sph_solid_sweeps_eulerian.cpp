@@ -176,10 +176,8 @@ template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
       d[m] = own - Motion<D>(kj);
       inertia[m] = load(kj + Kin::MASS);
     }
-    Pack r2, vr;
-    Motion<D>::dots(d, r2, vr);
     transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
-    const Pack r = square_root(r2), h = 0.5 * (ki[Kin::H] + inertia[2]);
+    const Pack r2 = Motion<D>::components(d).x_dot_x(), r = square_root(r2), h = 0.5 * (ki[Kin::H] + inertia[2]);
     Pack F = CubicSpline<D>::gradient_factor(r, h);
     if (k + LANES > count) F *= first_lanes(count - k);
     store(factors + k, F);
@@ -351,7 +349,8 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
   const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
-  Pack stress = zero, viscous = zero, mu_least = zero;
+  Pack stress = zero, viscous[D], mu_least = zero;
+  for (int a = 0; a < D; a++) viscous[a] = zero;
 
   for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
     const int *j = &pairs.j[k];
@@ -376,8 +375,9 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     }
     if (!VISCOUS && !TENSILE) continue;
 
-    Pack r2, vr;
-    Motion<D>::dots(d, r2, vr);
+    const Components<D> apart = Motion<D>::components(d);
+    const Pack r2 = apart.x_dot_x();
+    Pack vr = apart.v_dot_x();
     transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
     const Pack h = 0.5 * (ki[Kin::H] + inertia[2]);
     if (TENSILE) {
@@ -399,21 +399,20 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       if (FORM == PairForm::SWITCHED) q *= on;
       if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij
       if (correct) q = where_positive(state[3], ok_i * q, zero);
-      const Spread each(-q);
-      for (int m = 0; m < BLOCK; m++) viscous = multiply_add(each[m], d[m].x(), viscous);
+      apart.add_to(viscous, -q);
       mu_least = minimum(mu_least, mu);
     }
   }
 
   const double K = si[Str::K], mass = ki[Kin::MASS];
   stress = sum_of_blocks(stress);
-  viscous = sum_of_blocks(viscous);
+  const Pack viscous_sum = sums_of<D>(viscous);
   for (int a = 0; a < D; a++) {
     p.f[i][a] += K * folded<D>(stress, a);
     if (VISCOUS && correct)
-      da[i * da_stride + a] = viscous[a];
+      da[i * da_stride + a] = viscous_sum[a];
     else if (VISCOUS)
-      p.f[i][a] += mass * viscous[a];
+      p.f[i][a] += mass * viscous_sum[a];
   }
   mu_max[i] = -least(mu_least);
 }

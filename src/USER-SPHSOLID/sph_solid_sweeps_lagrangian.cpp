@@ -228,8 +228,9 @@ typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(c
   // are left to lonely_pairs()
   const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
   const double a1 = opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
-  Pack stress = zero, viscous = zero, hourglass = zero, mu_least = zero;
+  Pack stress = zero, viscous[D], hourglass[D], mu_least = zero;
   Pack viscous_power = zero, hourglass_power = zero;
+  for (int a = 0; a < D; a++) viscous[a] = hourglass[a] = zero;
 
   for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
     const int *j = &pairs.j[k];
@@ -257,9 +258,8 @@ typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(c
     }
     if (!VISCOUS && !HOURGLASS) continue;
 
-    Pack r2, vr;
-    Motion<D>::dots(d, r2, vr);
-    const Pack inv_r2 = 1.0 / r2;
+    const Components<D> apart = Motion<D>::components(d);
+    const Pack r2 = apart.x_dot_x(), vr = apart.v_dot_x(), inv_r2 = 1.0 / r2;
     transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (RATES) li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
@@ -269,8 +269,7 @@ typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(c
       const Pack s = impedance * F * (vr - 0.5 * (li + lj)) * inv_r2;
       store(damping + k, s);
       hourglass_power = multiply_add(s, vr, hourglass_power);
-      const Spread each(s);
-      for (int m = 0; m < BLOCK; m++) hourglass = multiply_add(each[m], d[m].x(), hourglass);
+      apart.add_to(hourglass, s);
     }
     if (VISCOUS) {
       const Pack on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Pack(1.0);
@@ -286,22 +285,20 @@ typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(c
         viscous_power = multiply_add(s, vr, viscous_power);
       }
       if (correct) s = where_positive(state[3], ok_i * s, zero);
-      const Spread each(-s);
-      for (int m = 0; m < BLOCK; m++) viscous = multiply_add(each[m], d[m].x(), viscous);
+      apart.add_to(viscous, -s);
       mu_least = minimum(mu_least, mu);
     }
   }
 
   const double V0 = kin(i)[Kin::VOLUME], per_mass = V0 / kin(i)[Kin::MASS];
   stress = sum_of_blocks(stress);
-  viscous = sum_of_blocks(viscous);
-  hourglass = sum_of_blocks(hourglass);
+  const Pack viscous_sum = sums_of<D>(viscous), hourglass_sum = sums_of<D>(hourglass);
   for (int a = 0; a < D; a++) {
-    p.f[i][a] += V0 * (folded<D>(stress, a) + hourglass[a]);
+    p.f[i][a] += V0 * (folded<D>(stress, a) + hourglass_sum[a]);
     if (VISCOUS && correct)
-      da[i * da_stride + a] = per_mass * viscous[a];
+      da[i * da_stride + a] = per_mass * viscous_sum[a];
     else if (VISCOUS)
-      p.f[i][a] += V0 * viscous[a];
+      p.f[i][a] += V0 * viscous_sum[a];
   }
   mu_max[i] = -least(mu_least);
   return {0.0, 0.5 * V0 * sum(viscous_power), -0.5 * V0 * sum(hourglass_power)};

@@ -43,7 +43,7 @@ void SweepsBase<D, Row>::sum_switch(const Particles &p, const NeighborRows &list
     for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
       const int *j = &pairs.j[k];
       Motion<D> d[BLOCK];
-      Pack l_i[BLOCK], l_j[BLOCK], r2, vr;
+      Pack l_i[BLOCK], l_j[BLOCK];
       for (int m = 0; m < BLOCK; m++) {
         d[m] = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
         const Several<D> X = along(i, k + m, d[m]);
@@ -54,7 +54,8 @@ void SweepsBase<D, Row>::sum_switch(const Particles &p, const NeighborRows &list
       const Pack weight = pack_of([&](int m) {
         return -switch_weight(j[m]) * pairs.factor[k + m];
       });
-      Motion<D>::dots(d, r2, vr);
+      const Components<D> apart = Motion<D>::components(d);
+      const Pack r2 = apart.x_dot_x(), vr = apart.v_dot_x();
       const Pack li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
       const Pack lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
       const Pack rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);

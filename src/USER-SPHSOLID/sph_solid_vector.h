@@ -514,16 +514,6 @@ inline Pack sums(Pack a, Pack b, Pack c, Pack d)
   return shuffle<0, 1, 4, 5>(ab, cd) + shuffle<2, 3, 6, 7>(ab, cd);
 }
 
-// the same of lanes 0, 1 (low) and of lanes 2, 3 (high)
-
-inline void half_sums(Pack a, Pack b, Pack c, Pack d, Pack &low, Pack &high)
-{
-  const Pack ab = shuffle<0, 4, 2, 6>(a, b) + shuffle<1, 5, 3, 7>(a, b);
-  const Pack cd = shuffle<0, 4, 2, 6>(c, d) + shuffle<1, 5, 3, 7>(c, d);
-  low = shuffle<0, 1, 4, 5>(ab, cd);
-  high = shuffle<2, 3, 6, 7>(ab, cd);
-}
-
 // four rows become four columns
 
 inline void transpose(Pack &a, Pack &b, Pack &c, Pack &d)
