@@ -197,6 +197,46 @@ template <int D> struct Components {
   }
 };
 
+// sums of a (x) b over pairs, each of them in a lane of its own
+
+template <int D> struct TensorSums {
+  Pack sum[D][D];
+
+  TensorSums()
+  {
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) sum[a][b] = 0.0;
+  }
+  void add(const Pack *v, const Pack *w)
+  {
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
+  }
+  Several<D> blocks() const { return blocks(false); }
+  // of w = v times a number: half of the components are those of the other half
+  void add_symmetric(const Pack *v, const Pack *w)
+  {
+    for (int a = 0; a < D; a++)
+      for (int b = a; b < D; b++) sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
+  }
+  Several<D> symmetric_blocks() const { return blocks(true); }
+
+ private:
+  // yet to be summed over blocks
+  Several<D> blocks(bool symmetric) const
+  {
+    auto at = [&](int a, int b) {
+      return symmetric && a > b ? sum[b][a] : sum[a][b];
+    };
+    if constexpr (D == 2)
+      return {sums(at(0, 0), at(0, 1), at(1, 0), at(1, 1))};
+    else
+      return {sums(at(0, 0), at(1, 0), at(2, 0), Pack(0.0)),
+              sums(at(0, 1), at(1, 1), at(2, 1), Pack(0.0)),
+              sums(at(0, 2), at(1, 2), at(2, 2), Pack(0.0))};
+  }
+};
+
 // the sums over all lanes of D packs, in the first lanes
 
 template <int D> inline Pack sums_of(const Pack *a)

@@ -164,7 +164,7 @@ template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
   const Motion<D> own(ki);
   const int start = pairs.first[i], count = pairs.count[i], nearest = pairs.nearest[i];
   double *factors = pairs.factor.data() + start, *weights = near_weight.data() + start;
-  Several<D> moment = Several<D>::zero(), velocity = moment;
+  TensorSums<D> moment, velocity;
   Pack nsum = 0.0;
 
   for (int k = 0; k < count; k += LANES) {
@@ -177,16 +177,16 @@ template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
       inertia[m] = load(kj + Kin::MASS);
     }
     transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
-    const Pack r2 = Motion<D>::components(d).x_dot_x(), r = square_root(r2), h = 0.5 * (ki[Kin::H] + inertia[2]);
+    const Components<D> apart = Motion<D>::components(d);
+    const Pack r = square_root(apart.x_dot_x()), h = 0.5 * (ki[Kin::H] + inertia[2]);
     Pack F = CubicSpline<D>::gradient_factor(r, h);
     if (k + LANES > count) F *= first_lanes(count - k);
     store(factors + k, F);
-    const Spread w(-(inertia[1] * F));
-    for (int m = 0; m < BLOCK; m++) {
-      const Several<D> g = d[m].spread_x() * w[m];
-      add_outer(moment, d[m].expanded_x(), g);
-      add_outer(velocity, d[m].expanded_v(), g);
-    }
+    const Pack w = -(inertia[1] * F);
+    Pack g[D];
+    for (int a = 0; a < D; a++) g[a] = w * apart.x[a];
+    moment.add_symmetric(apart.x, g);
+    velocity.add(apart.v, g);
     if (k < nearest) {
       const Pack m_wbar = Base::wbar_mass(r, inertia[0], Pack(ki[Kin::NEAR]), inertia[3]) *
           first_lanes(nearest - k);
@@ -194,8 +194,8 @@ template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
       nsum += m_wbar;
     }
   }
-  sums.moment[lane] = moment;
-  sums.velocity[lane] = velocity;
+  sums.moment[lane] = moment.symmetric_blocks();
+  sums.velocity[lane] = velocity.blocks();
   sums.nsum[lane] = sum(nsum);
 }
 
