@@ -174,11 +174,18 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
 
 template <int D> void LagrangianSweeps<D>::near_weights(const Particles &p, int i)
 {
-  Base::set_near_weights(i, [&](int k) {
-    return pack_of([&](int m) {
+  const Pack n_i(str(i)[Str::NSUM]);
+  const int first = pairs.first[i], end = first + pairs.nearest[i];
+  for (int k = first; k < end; k += LANES) {
+    const Pack n_j = pack_of([&](int m) {
+      return str(pairs.j[k + m])[Str::NSUM];
+    });
+    const Pack m_wbar = pack_of([&](int m) {
       return mass_wbar(p, i, pairs.j[k + m]);
     });
-  });
+    const Pack w = correction_weight(opt.weights, m_wbar, n_i, n_j);
+    store(&near_weight[k], where_positive(first_lanes(end - k), w, Pack(0.0)));
+  }
 }
 
 /* ----------------------------------------------------------------------

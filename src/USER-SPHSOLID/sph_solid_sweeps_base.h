@@ -238,31 +238,18 @@ template <int D, class Row> class SweepsBase : public Sweeps {
       call(load_few_weights<D>(&near_weight[k]), j, own - load_few<D>(da.data(), j, da_stride));
     }
   }
-  // correction weights of row i, m_wbar(k) being m_j Wbar of pairs k to k + LANES - 1
-  template <class F> void set_near_weights(int i, F m_wbar)
-  {
-    const Pack n_i(str(i)[Str::NSUM]);
-    const int first = pairs.first[i], end = first + pairs.nearest[i];
-    for (int k = first; k < end; k += LANES) {
-      const Pack n_j = pack_of([&](int m) {
-        return str(pairs.j[k + m])[Str::NSUM];
-      });
-      const Pack w = correction_weight(opt.weights, m_wbar(k), n_i, n_j);
-      store(&near_weight[k], where_positive(first_lanes(end - k), w, Pack(0.0)));
-    }
-  }
   template <class Moved, class Apart> double lonely_power(int i, Moved du, Apart dx) const;
   const double *u(int i) const { return kin(i) + Kin::V; }    // during heat: displacements
 
   // of the frame: what a kinematic row has of a particle besides its motion, its volume weight,
-  // what a kept pull is to be multiplied with, how much shorter a time step has to be, the
-  // weights of the correction
+  // what a kept pull is to be multiplied with, how much shorter a time step has to be
   virtual void pack_constants(const Particles &, int i, double *row) const = 0;
   virtual double weight_volume(const Particles &, int i) const = 0;
   virtual double own_weight(int i) const = 0;
   virtual double step_factor(int) const { return 1.0; }
-  virtual void near_weights(const Particles &, int i) = 0;
-  virtual bool constant_weights() const { return false; }    // until neighbors are new
+  // are the weights of a row constant until neighbors are new?  Else the force sweep finds them
+  virtual bool constant_weights() const { return false; }
+  virtual void near_weights(const Particles &, int) {}
 
   // what the forces of a row's pairs give to i while all particles move by u; of
   // the stress the half with sigma_i, of the others half of each pair's

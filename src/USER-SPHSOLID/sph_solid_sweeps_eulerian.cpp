@@ -69,7 +69,6 @@ template <int D> class EulerianSweeps : public SweepsBase<D, EulerianRow<D>> {
   int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
   template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
   template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
-  void near_weights(const Particles &, int i) override;
   void pack_constants(const Particles &, int i, double *row) const override;
   template <bool PULL, bool TENSILE> typename Base::Power pair_power(int i) const;
 };
@@ -340,7 +339,8 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       STRIDE = extra((TENSILE ? 1 : 0) + (RATES ? 1 : 0));         // of a stress row
   const double *kall = krow.data(), *sall = srow.data(), *factors = pairs.factor.data();
   const double *ki = kin(i), *si = sall + std::ptrdiff_t(i) * STRIDE;
-  double *pulls = pull.data();
+  double *pulls = pull.data(), *weights = near_weight.data();
+  const int end_nearest = pairs.first[i] + pairs.nearest[i];
   const double a1 = opt.a1, a2 = opt.a2;
   const Motion<D> own(ki);
   const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + R_AT : si),
@@ -398,7 +398,13 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       Pack q = inertia[0] * monaghan_pi(a1, a2, c, rho, mu) * F;
       if (FORM == PairForm::SWITCHED) q *= on;
       if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij
-      if (correct) q = where_positive(state[3], ok_i * q, zero);
+      if (correct) {
+        q = where_positive(state[3], ok_i * q, zero);
+        if (k < end_nearest) {    // of the correction: m_j Wbar_ij becomes a weight
+          const Pack n_i(si[Str::NSUM]), m_wbar = load(weights + k);
+          store(weights + k, correction_weight(opt.weights, m_wbar, n_i, state[3]));
+        }
+      }
       apart.add_to(viscous, -q);
       mu_least = minimum(mu_least, mu);
     }
@@ -415,15 +421,6 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       p.f[i][a] += mass * viscous_sum[a];
   }
   mu_max[i] = -least(mu_least);
-}
-
-// in: m_j Wbar_ij, from the gradient sweep
-
-template <int D> void EulerianSweeps<D>::near_weights(const Particles &, int i)
-{
-  Base::set_near_weights(i, [&](int k) {
-    return load(&near_weight[k]);
-  });
 }
 
 /* ----------------------------------------------------------------------

@@ -189,6 +189,9 @@ class Cloud {
     return sweeps->gradient(p, rows, dt);
   }
 
+  // after the sweep that finds the weights of the correction, where they are not constant
+  void forget_forces() { std::fill(force.begin(), force.end(), 0.0); }
+
   // energy per time given to each particle while all move with u
   std::vector<double> heat(const std::vector<Vector3d> &u, bool book = false)
   {
