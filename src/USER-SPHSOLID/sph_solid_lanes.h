@@ -328,7 +328,8 @@ template <> struct Motion<3> {
     d.velocity = velocity;
     return d;
   }
-  static Pack drift_of(double t) { return Pack(t); }
+  // what lies behind a velocity does not move anything
+  static Pack drift_of(double t) { return shuffle<0, 1, 2, 4>(Pack(t), Pack(0.0)); }
 
   // of v.x only
   Pack products() const { return velocity * position; }

@@ -57,6 +57,39 @@ TEST_P(HeatOnTheWay, IsThatOfASweepOfItsOwn)
   EXPECT_NEAR(way.hourglass, sweep.hourglass, 1.0e-10 * scale);
 }
 
+// particles of different masses in three dimensions, where a row has the mass beside the velocity;
+// in units in which it is as large as all else
+
+TEST_P(HeatOnTheWay, DoesNotSeeMasses)
+{
+  const std::string script =
+      std::string("units lj\ndimension 3\nboundary f f f\natom_style sph/solid\n"
+                  "atom_modify map array\nregion box block -9 13 -9 13 -9 13\ncreate_box 1 box\n"
+                  "lattice sc 1.0\nregion body block -0.1 3.1 -0.1 4.1 -0.1 4.1\n"
+                  "create_atoms 1 region body\nvariable part atom \"1.0+0.2*(id%4)\"\n"
+                  "set group all volume v_part\npair_style sph/solid 1.2 ") +
+      GetParam() +
+      "\npair_coeff * * inline rho0 1 eos linear 1.0 shear 0.4 strength elastic\n"
+      "neighbor 0.1 bin\nneigh_modify every 1 delay 0 check yes\n"
+      "variable vx atom -0.05*x*(1+y)\nvariable vz atom 0.04*y*y\n"
+      "velocity all set v_vx 0.02 v_vz units box\nfix move all sph/solid\ntimestep 0.1\n"
+      "compute energy all sph/solid/energy\nthermo_style custom step c_energy\n";
+  double total[2], viscous[2], hourglass[2];
+  for (int k = 0; k < 2; k++) {
+    Session s;
+    s(script);
+    if (k) s(BYSTANDER);
+    s("run 40");
+    total[k] = s.value("c_energy");
+    viscous[k] = s.value("c_energy[5]");
+    hourglass[k] = s.value("c_energy[8]");
+  }
+  EXPECT_NEAR(total[0], total[1], 1.0e-12 * total[1]);
+  EXPECT_NEAR(viscous[0], viscous[1], 1.0e-10 * total[1]);
+  EXPECT_NEAR(hourglass[0], hourglass[1], 1.0e-10 * total[1]);
+  EXPECT_GT(viscous[1] + hourglass[1], 1.0e-4 * total[1]);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Viscosities, HeatOnTheWay,
     testing::Values("viscosity none", "viscosity monaghan 1 1", "viscosity correct",
