@@ -231,10 +231,8 @@ int FixSPHSolidPartners::near_image(int i, int j) const
 {
   const int image = domain->closest_image(i, j);
   const double *a = atom->x[i], *b = atom->x[image];
-  const int periodic[3] = {domain->xperiodic, domain->yperiodic,
-                           domain->dimension == 3 && domain->zperiodic};
-  for (int d = 0; d < 3; d++)
-    if (periodic[d] && std::fabs(a[d] - b[d]) > LARGEST_SHARE * domain->prd[d])
+  for (int d = 0; d < domain->dimension; d++)
+    if (domain->periodicity[d] && std::fabs(a[d] - b[d]) > LARGEST_SHARE * domain->prd[d])
       error->one(FLERR, Error::NOLASTLINE,
                  "sph/solid, frame lagrangian: particles {} and {} are partners and {:.6g} apart "
                  "in step {}, nearly half the periodic box: expected one longer than {:.6g}",

@@ -57,7 +57,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>>
       Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::lonely,
       Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt,
       Base::pairs, Base::pull, Base::separation, Base::srow, Base::str, Base::stress_stride,
-      Base::types, Base::u, Base::VECTOR, Base::wbar_mass, Base::whole_pull;
+      Base::types, Base::u, Base::VECTOR, Base::whole_pull;
   using typename Base::Kin;
   using typename Base::Str;
 
@@ -95,12 +95,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>>
   double weight_volume(const Particles &p, int i) const override { return p.vref[i]; }
 
   // X_i - X_j
-  Vector<D> reference_separation(int i, int j) const
-  {
-    Vector<D> X;
-    for (int a = 0; a < D; a++) X[a] = kin(i)[Kin::REFERENCE + a] - kin(j)[Kin::REFERENCE + a];
-    return X;
-  }
+  Vector<D> reference_separation(int i, int j) const { return separation(i, j, Kin::REFERENCE); }
   double *reference(int row) { return &krow[row * Kin::STRIDE + Kin::REFERENCE]; }
   void place_references(const Particles &, const NeighborRows &);
   void unwrap_references(const Particles &, const NeighborRows &);
@@ -144,7 +139,7 @@ template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>>
   template <class Call> void each_batch(const NeighborRows &, Call);
   template <PairForm FORM, bool HOURGLASS> typename Base::Power force_row(const Particles &, int i);
   template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
-  void near_weights(const Particles &, int i) override;
+  void near_weights(int i) override;
   void pack_constants(const Particles &, int i, double *row) const override;
   template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;
 };

@@ -34,7 +34,7 @@ template <int D>
 void LagrangianSweeps<D>::pack_constants(const Particles &p, int i, double *row) const
 {
   row[Kin::MASS] = p.mass[i];
-  row[Kin::VOLUME] = p.vref[i];
+  row[Kin::VOLUME] = weight_volume(p, i);
   for (int a = 0; a < D; a++) row[Kin::REFERENCE + a] = p.xref[i][a];
 }
 
@@ -110,6 +110,7 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   const std::size_t n = pairs.j.size();
   if (opt.hourglass > 0.0) damp.resize(n);
   nearness.resize(n);
+  if (needs_correction()) near_weight.resize(n);
   B.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
   if (!viscous()) F.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
   nsum.assign(p.nlocal, 0.0);
@@ -130,7 +131,6 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
     fill_vectors(i);
     correct_row(p, i);
   }
-  if (needs_correction()) near_weight.resize(n);
 }
 
 // the last pair again, without weight
@@ -154,7 +154,7 @@ template <int D> double LagrangianSweeps<D>::mass_wbar(const Particles &p, int i
   return Base::wbar_mass(reference_separation(i, j).norm(), kin(j)[Kin::MASS], near_i, near_j);
 }
 
-// B_i and, for the acceleration correction, n_i = sum m_j Wbar(X_ij)
+// B_i and, for the acceleration correction, m_j Wbar(X_ij) of pairs and n_i, their sum
 
 template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i)
 {
@@ -162,7 +162,9 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const Vector<D> X = reference_separation(i, pairs.j[k]);
     M -= pairs.factor[k] * X * X.transpose();
-    if (k < pairs.first[i] + pairs.nearest[i]) nsum[i] += mass_wbar(p, i, pairs.j[k]);
+    if (k >= pairs.first[i] + pairs.nearest[i]) continue;
+    near_weight[k] = mass_wbar(p, i, pairs.j[k]);
+    nsum[i] += near_weight[k];
   }
   const bool enough = M.determinant() >= DET_FALLBACK;
   const Tensor<D> inverse = enough ? Tensor<D>(M.inverse()) : Tensor<D>::Identity();
@@ -170,9 +172,9 @@ template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i
     for (int b = 0; b < D; b++) B[i * TENSOR + Blocks<D>::at(a, b)] = inverse(a, b);
 }
 
-// over the nearest partners: constant until the partners have new indices
+// m_j Wbar of the nearest partners becomes a weight: constant until the partners have new indices
 
-template <int D> void LagrangianSweeps<D>::near_weights(const Particles &p, int i)
+template <int D> void LagrangianSweeps<D>::near_weights(int i)
 {
   const Pack n_i(str(i)[Str::NSUM]);
   const int first = pairs.first[i], end = first + pairs.nearest[i];
@@ -180,10 +182,7 @@ template <int D> void LagrangianSweeps<D>::near_weights(const Particles &p, int 
     const Pack n_j = pack_of([&](int m) {
       return str(pairs.j[k + m])[Str::NSUM];
     });
-    const Pack m_wbar = pack_of([&](int m) {
-      return mass_wbar(p, i, pairs.j[k + m]);
-    });
-    const Pack w = correction_weight(opt.weights, m_wbar, n_i, n_j);
+    const Pack w = correction_weight(opt.weights, load(&near_weight[k]), n_i, n_j);
     store(&near_weight[k], where_positive(first_lanes(end - k), w, Pack(0.0)));
   }
 }

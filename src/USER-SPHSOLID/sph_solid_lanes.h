@@ -263,7 +263,6 @@ template <> struct Motion<2> {
     d.xv = xv - other.xv;
     return d;
   }
-  Pack x() const { return xv; }    // the first two lanes
   Pack expanded_x() const { return shuffle<0, 0, 1, 1>(xv); }
   Pack expanded_v() const { return shuffle<2, 2, 3, 3>(xv); }
   Several<2> spread_x() const { return spread<2>(xv); }
@@ -315,7 +314,6 @@ template <> struct Motion<3> {
     d.velocity = velocity - other.velocity;
     return d;
   }
-  Pack x() const { return position; }
   Pack expanded_x() const { return position; }
   Pack expanded_v() const { return velocity; }
   Several<3> spread_x() const { return spread<3>(position); }

@@ -129,10 +129,11 @@ template <int D, class Row> class SweepsBase : public Sweeps {
   // tensor k of those that follow the fixed part of a row
   static constexpr int extra(int k) { return Str::STRIDE + k * Blocks<D>::TENSOR; }
 
-  Vector<D> separation(int i, int j) const
+  // of two rows: of present positions, or of another vector in them
+  Vector<D> separation(int i, int j, int at = Kin::X) const
   {
     Vector<D> d;
-    for (int a = 0; a < D; a++) d[a] = kin(i)[Kin::X + a] - kin(j)[Kin::X + a];
+    for (int a = 0; a < D; a++) d[a] = kin(i)[at + a] - kin(j)[at + a];
     return d;
   }
   bool safe() const { return needs_correction() && opt.weights == Weights::SAFE; }
@@ -249,7 +250,7 @@ template <int D, class Row> class SweepsBase : public Sweeps {
   virtual double step_factor(int) const { return 1.0; }
   // are the weights of a row constant until neighbors are new?  Else the force sweep finds them
   virtual bool constant_weights() const { return false; }
-  virtual void near_weights(const Particles &, int) {}
+  virtual void near_weights(int) {}
 
   // what the forces of a row's pairs give to i while all particles move by u; of
   // the stress the half with sigma_i, of the others half of each pair's

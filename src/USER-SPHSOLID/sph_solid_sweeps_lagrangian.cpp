@@ -9,7 +9,6 @@
 
 #include <atomic>
 
-using namespace SPHSolid;
 namespace {
 
 /* ----------------------------------------------------------------------

@@ -88,7 +88,7 @@ void SweepsBase<D, Row>::correction(const Particles &p, const NeighborRows &list
 #endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
-    if (constant_weights() && !weights_known) near_weights(p, i);
+    if (constant_weights() && !weights_known) near_weights(i);
     Pack sum = 0.0;
     if (safe())
       sum = central_correction(i);

@@ -108,9 +108,22 @@ TEST(LagrangianPeriodic, BodyFliesRoundTheBox)
   EXPECT_GT(most, 0.3 * Y0);
 }
 
+// the bar, soft, so that its rows fly apart
+
+Block flying_rows(const std::string &modulus)
+{
+  Block b = bar();
+  b.options = "viscosity none hourglass 0";
+  b.material =
+      "inline rho0 7850 eos linear " + modulus + " shear " + modulus + " strength elastic\n";
+  b.motion = "variable vy atom 1e4*(y-0.002)\nvelocity all set 0 v_vy 0 units box\n";
+  b.fixes = "fix move all sph/solid\ntimestep 1e-6\n";
+  return b;
+}
+
 // partners move apart, the communication cutoff follows, and ghosts come from further away: the
 // bins of the neighbor list have to reach as far.  They are set up at the start of a run and not
-// in it, so one that grew out of them was written beyond the arrays.  Soft, so that the rows fly
+// in it, so one that grew out of them was written beyond the arrays
 
 void expect_a_bin_for_every_ghost(const LAMMPS_NS::LAMMPS *lmp)
 {
@@ -131,13 +144,8 @@ void expect_a_bin_for_every_ghost(const LAMMPS_NS::LAMMPS *lmp)
 
 TEST(LagrangianPeriodic, BinsFollowTheGhostCutoff)
 {
-  Block b = bar();
-  b.options = "viscosity none hourglass 0";
-  b.material = "inline rho0 7850 eos linear 1e5 shear 1e5 strength elastic\n";
-  b.motion = "variable vy atom 1e4*(y-0.002)\nvelocity all set 0 v_vy 0 units box\n";
-  b.fixes = "fix move all sph/solid\ntimestep 1e-6\n";
   Session s;
-  s(b.script());
+  s(flying_rows("1e5").script());
   s("run 0");
   const double before = s.lmp->comm->cutghost[0];
   expect_a_bin_for_every_ghost(s.lmp);
@@ -151,13 +159,9 @@ TEST(LagrangianPeriodic, BinsFollowTheGhostCutoff)
 
 TEST(LagrangianPeriodic, PartnersHalfABoxApartAreAnError)
 {
-  Block b = bar();
+  Block b = flying_rows("1e2");
   b.boundary = "p p";
   b.box = "0 0.012 -0.01 0.014";
-  b.options = "viscosity none hourglass 0";
-  b.material = "inline rho0 7850 eos linear 1e2 shear 1e2 strength elastic\n";
-  b.motion = "variable vy atom 1e4*(y-0.002)\nvelocity all set 0 v_vy 0 units box\n";
-  b.fixes = "fix move all sph/solid\ntimestep 1e-6\n";
   Session s;
   s(b.script());
   s("run 400");    // rows that were 2 mm apart are 10 mm apart now, half the box are 12
