@@ -73,17 +73,20 @@ int FixSPHSolidPartners::setmask()
 
 void FixSPHSolidPartners::init()
 {
-  const bool periodic = domain->xperiodic || domain->yperiodic ||
-      (domain->dimension == 3 && domain->zperiodic);
-  if (periodic && domain->triclinic)
+  if (periodic() && domain->triclinic)
     error->all(FLERR, "sph/solid, frame lagrangian: a triclinic box cannot be periodic");
-  if (periodic && domain->box_change_size)
+  if (periodic() && domain->box_change_size)
     error->all(FLERR, "sph/solid, frame lagrangian: a periodic box cannot change its size");
 
   // after a restart every rank knows its own rows only
   int all;
   MPI_Allreduce(&maxpartner, &all, 1, MPI_INT, MPI_MAX, world);
   widen(all);
+}
+
+bool FixSPHSolidPartners::periodic() const
+{
+  return domain->xperiodic || domain->yperiodic || (domain->dimension == 3 && domain->zperiodic);
 }
 
 // more columns for IDs; tells Comm what to expect
@@ -223,6 +226,14 @@ void FixSPHSolidPartners::find(bool setup, int **setflag)
   }
   for (const int i : own) row[i] = index.data() + start[i];
   resolve_missing(missing, setup);
+  seen.assign(atom->tag, atom->tag + nlocal + atom->nghost);
+}
+
+bool FixSPHSolidPartners::in_place() const
+{
+  const std::size_t n = atom->nlocal + atom->nghost;
+  return !periodic() && atom->nlocal == static_cast<int>(row.size()) && n == seen.size() &&
+      std::equal(seen.begin(), seen.end(), atom->tag);
 }
 
 // of two partners half a box apart nobody knows which image is the one that the material connects
@@ -328,9 +339,7 @@ double FixSPHSolidPartners::largest_distance() const
 
 void FixSPHSolidPartners::cover()
 {
-  const bool own_all = comm->nprocs == 1 && !domain->xperiodic && !domain->yperiodic &&
-      (domain->dimension == 2 || !domain->zperiodic);
-  if (own_all) return;
+  if (comm->nprocs == 1 && !periodic()) return;
   const double distance = largest_distance() + 0.5 * neighbor->skin;    // ghosts lag one step
   if (distance < comm->get_comm_cutoff()) return;
   comm->cutghostuser = COVER_MORE * distance;
@@ -481,6 +490,7 @@ double FixSPHSolidPartners::memory_usage()
   double bytes =
       (double) atom->nmax * (sizeof(int) + 4 * sizeof(double) + maxpartner * sizeof(tagint));
   bytes += (double) index.capacity() * sizeof(int) + (double) row.capacity() * sizeof(int *);
+  bytes += (double) seen.capacity() * sizeof(tagint);
   bytes += (double) (own.capacity() + count.capacity()) * sizeof(int);
   return bytes;
 }

@@ -51,6 +51,9 @@ class FixSPHSolidPartners : public Fix {
   // local indices of the partners of own particles, in the order of IDs; setup:
   // partners may have been deleted before
   void find(bool setup, int **setflag);
+  // are all particles and ghosts where find() saw them last?  Never in a periodic box, where the
+  // nearest images of partners may have changed
+  bool in_place() const;
 
   int nown() const { return static_cast<int>(own.size()); }
   int *own_list() { return own.data(); }
@@ -79,6 +82,7 @@ class FixSPHSolidPartners : public Fix {
 
   // local view, valid until particles move between ranks
   std::vector<int> own, count, index;
+  std::vector<tagint> seen;    // IDs of all particles when this was found
   std::vector<int *> row;
 
   int pack_row(int, double *) const;
@@ -89,6 +93,7 @@ class FixSPHSolidPartners : public Fix {
                         std::vector<tagint> &found) const;
   void resolve_missing(std::vector<tagint> &, bool setup);
   void drop(const std::vector<tagint> &gone);
+  bool periodic() const;
   double largest_distance() const;
   void cover();
   int near_image(int i, int j) const;

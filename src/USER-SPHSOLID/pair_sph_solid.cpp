@@ -72,8 +72,8 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
 
   options = new Options;
   kept = new Ledger;
-  message = STRESS;
-  message_size = 0;
+  message = Message::STRESS;
+  message_of_sweeps = true;
   resume = resumed = warned_lost = warned_overload = logged = false;
   integrated = list_threads = 0;
   evaluated_own = evaluated_all = -1;
@@ -113,17 +113,17 @@ void PairSPHSolid::compute(int eflag, int vflag)
 
   const int unphysical = sweeps->gradient(p, list, dt);
   if (unphysical >= 0) stop_unphysical(unphysical);
-  forward(STRESS, sweeps->stress_size());
+  forward(Message::STRESS);
   sweeps->mirror_stress();
 
   if (sweeps->sweeps_for_switch()) {
     sweeps->find_switch(p, list);
-    forward(SWITCH, 1);
+    forward(Message::SWITCH);
     sweeps->mirror_switch();
   }
   sweeps->force(p, list);
   if (sweeps->needs_correction()) {
-    forward(VISCOUS, domain->dimension);
+    forward(Message::VISCOUS);
     sweeps->correction(p, list);
   }
 
@@ -153,6 +153,7 @@ void PairSPHSolid::new_neighbors(bool setup)
   if (!partners)
     sort_rows();
   else {
+    if (!setup && partners->in_place()) return;
     if (setup && partners->anyone_without()) {
       neighbor->build_one(list);
       partners->refer(list, cutsq, setflag);
@@ -160,7 +161,10 @@ void PairSPHSolid::new_neighbors(bool setup)
     }
     partners->find(setup, setflag);
   }
-  sweeps->new_neighbors(particles(), rows(), cutforce + neighbor->skin);
+  const std::vector<std::int64_t> id(atom->tag, atom->tag + atom->nlocal + atom->nghost);
+  Particles p = particles();
+  p.id = id.data();
+  sweeps->new_neighbors(p, rows(), cutforce + neighbor->skin);
 }
 
 // partners are known, and in three dimensions their neighbor list is a tenth of all memory: give its
@@ -224,7 +228,9 @@ void PairSPHSolid::pack_kinematics(bool setup)
   resumed = setup && resume;
   resume = false;
   if (resumed) {
-    forward(HALF_VELOCITY, 3);
+    message_of_sweeps = false;
+    comm->forward_comm(this, 3);
+    message_of_sweeps = true;
   } else {
     std::copy(p.rho, p.rho + p.nall, p.rho_weight);
     double **vhalf = own->vhalf;
@@ -327,7 +333,7 @@ void PairSPHSolid::warn_lost_neighbors()
 void PairSPHSolid::report_overload()
 {
   if (options->distortion == Distortion::IGNORE || warned_overload) return;
-  const Overload end = sweeps->find_overload(rows());
+  const Overload end = sweeps->find_overload(particles());
   if (end.kind == Overload::NONE) return;
   const int i = end.particle;
   static const char *const WHAT[] = {
@@ -351,43 +357,34 @@ void PairSPHSolid::report_overload()
    messages to ghosts
 ------------------------------------------------------------------------- */
 
-void PairSPHSolid::forward(int what, int size)
+void PairSPHSolid::forward(Message what)
 {
   message = what;
-  message_size = size;
-  comm->forward_comm(this, size);
+  comm->forward_comm(this, sweeps->message_size(what));
 }
 
 int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int, int *)
 {
-  int m = 0;
-  for (int k = 0; k < n; k++) {
-    const double *from = outgoing(atoms[k]);
-    for (int a = 0; a < message_size; a++) buf[m++] = from[a];
-  }
-  return m;
+  double **vhalf = AtomVecSPHSolid::arrays(atom)->vhalf;
+  const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
+  for (int k = 0; k < n; k++)
+    if (message_of_sweeps)
+      sweeps->pack(message, atoms[k], &buf[k * size]);
+    else
+      std::copy(vhalf[atoms[k]], vhalf[atoms[k]] + size, &buf[k * size]);
+  return n * size;
 }
 
 void PairSPHSolid::unpack_forward_comm(int n, int first, double *buf)
 {
   const Particles p = particles();
-  for (int i = first; i < first + n; i++, buf += message_size) {
-    if (message == STRESS)
-      sweeps->unpack_stress(p, i, buf);
+  double **vhalf = AtomVecSPHSolid::arrays(atom)->vhalf;
+  const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
+  for (int k = 0; k < n; k++)
+    if (message_of_sweeps)
+      sweeps->unpack(message, p, first + k, &buf[k * size]);
     else
-      std::copy(buf, buf + message_size, const_cast<double *>(outgoing(i)));
-  }
-}
-
-// where the data of the present message lie for particle i
-
-const double *PairSPHSolid::outgoing(int i) const
-{
-  if (message == STRESS) return sweeps->stress_row(i);
-  if (message == SWITCH) return sweeps->viscosity_switch(i);
-  if (message == VISCOUS) return sweeps->viscous_acceleration(i);
-  if (message == DISPLACEMENT) return sweeps->displacement(i);
-  return AtomVecSPHSolid::arrays(atom)->vhalf[i];
+      std::copy(&buf[k * size], &buf[k * size] + size, vhalf[first + k]);
 }
 
 /* ----------------------------------------------------------------------
@@ -406,19 +403,17 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool 
 {
   const Particles p = particles();
   const int *mask = atom->mask;
-  const bool three = domain->dimension == 3;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(comm->nthreads)
 #endif
   for (int i = 0; i < p.nlocal; i++) {
-    double *u = sweeps->displacement(i);
     const double *v = p.v[i], *f = p.f[i];
     const double a = (mask[i] & integrated) ? a_scale / p.mass[i] : 0.0;
-    u[0] = v_scale * v[0] + a * f[0];
-    u[1] = v_scale * v[1] + a * f[1];
-    if (three) u[2] = v_scale * v[2] + a * f[2];
+    const double u[3] = {v_scale * v[0] + a * f[0], v_scale * v[1] + a * f[1],
+                         v_scale * v[2] + a * f[2]};
+    sweeps->unpack(Message::DISPLACEMENT, p, i, u);
   }
-  forward(DISPLACEMENT, domain->dimension);
+  forward(Message::DISPLACEMENT);
   sweeps->heat(p, rows(), heat, book);
 }
 

@@ -25,6 +25,7 @@ PairStyle(sph/solid,PairSPHSolid);
 #include <vector>
 
 namespace SPHSolid {
+enum class Message;
 class Sweeps;
 struct Ledger;
 struct NeighborRows;
@@ -99,8 +100,6 @@ class PairSPHSolid : public Pair {
   static PairSPHSolid *find(class LAMMPS *, const char *caller);
 
  private:
-  enum { STRESS, SWITCH, VISCOUS, DISPLACEMENT, HALF_VELOCITY };    // what a message carries
-
   SPHSolid::Options *options;
   SPHSolid::TypeData *types;    // one per atom type, from 1
   SPHSolid::Sweeps *sweeps;
@@ -108,12 +107,12 @@ class PairSPHSolid : public Pair {
 
   class FixSPHSolidPartners *partners;    // of the Lagrangian frame, else nullptr
 
-  int message_size;    // doubles per particle in it
-  int message;         // what the next message carries
-  bool resume;         // the next setup continues where the last run ended
-  bool resumed;        // the last evaluation was such a setup
-  int integrated;      // group bits of all fix sph/solid
-  bool warned_lost;    // warn once per run
+  SPHSolid::Message message;    // what the next one carries
+  bool message_of_sweeps;       // else it is velocities at the half step
+  bool resume;                  // the next setup continues where the last run ended
+  bool resumed;                 // the last evaluation was such a setup
+  int integrated;               // group bits of all fix sph/solid
+  bool warned_lost;             // warn once per run
   bool warned_overload;
   int evaluated_own, evaluated_all;    // particles of the last evaluation, -1: none
   bool logged;                         // the materials are in the log
@@ -140,8 +139,7 @@ class PairSPHSolid : public Pair {
   void report_overload();
   SPHSolid::Particles particles() const;
   SPHSolid::NeighborRows rows() const;
-  void forward(int, int);
-  const double *outgoing(int) const;
+  void forward(SPHSolid::Message);
 };
 
 }    // namespace LAMMPS_NS

@@ -5,8 +5,14 @@
    The class; its members are in
      sph_solid_lagrangian_partners.h    what is constant between two neighbor lists,
                                         and where the frame ends
+     sph_solid_lagrangian_rows.h        what neighbors read: messages, mirror images
+     sph_solid_lagrangian_viscous.h     switch of a viscosity, acceleration correction
      sph_solid_lagrangian_heat.h        heat, virial
      sph_solid_sweeps_lagrangian.cpp    gradient and force
+
+   Every lane has a particle of its own: a block has as many particles as there are lanes,
+   side by side in columns (sph_solid_columns.h), and their pairs come in slots
+   (sph_solid_slots.h).
 
    With X reference positions, V0 reference volumes, g_ij = grad_i W(X_i - X_j):
 
@@ -26,7 +32,9 @@
 #ifndef LMP_SPH_SOLID_LAGRANGIAN_H
 #define LMP_SPH_SOLID_LAGRANGIAN_H
 
-#include "sph_solid_sweeps_base.h"
+#include "sph_solid_columns.h"
+#include "sph_solid_points.h"
+#include "sph_solid_slots.h"
 
 using namespace SPHSolid;
 
@@ -35,113 +43,237 @@ using namespace SPHSolid;
 
 namespace {
 
-template <int D> class LagrangianSweeps : public SweepsBase<D, LagrangianRow<D>> {
+template <int D> class LagrangianSweeps : public PointSweeps<D> {
  public:
-  LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      SweepsBase<D, LagrangianRow<D>>(o, t, count_tensors(o))
-  {
-  }
+  LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) : PointSweeps<D>(o, t) {}
 
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
+  void pack_kinematics(const Particles &, const double *const *) override;
   int gradient(const Particles &, const NeighborRows &, double) override;
+  int message_size(Message) const override;
+  void pack(Message, int, double *) const override;
+  void unpack(Message, const Particles &, int, const double *) override;
+  void mirror_stress() override;
   void find_switch(const Particles &, const NeighborRows &) override;
+  void mirror_switch() override;
   void force(const Particles &, const NeighborRows &) override;
+  void correction(const Particles &, const NeighborRows &) override;
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
+  bool can_keep_heat() const override;
+  void add_due_heat(const Particles &, const NeighborRows &) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
-  Overload find_overload(const NeighborRows &) const override;
+  double time_step_limit(const Particles &, const NeighborRows &) const override;
+  double sound_speed(int i) const override { return columns.get(column_of[i], SOUND); }
+  int neighbor_count(int i) const override;
+  Overload find_overload(const Particles &) const override;
   double memory_usage() const override;
 
  private:
-  using Base = SweepsBase<D, LagrangianRow<D>>;
-  using Base::da, Base::da_stride, Base::early, Base::early_totals, Base::extra, Base::image_first,
-      Base::image_j, Base::images, Base::keeps_pairs, Base::kin, Base::krow, Base::lonely,
-      Base::mu_max, Base::near_weight, Base::needs_correction, Base::nthreads, Base::opt,
-      Base::pairs, Base::pull, Base::separation, Base::srow, Base::str, Base::stress_stride,
-      Base::types, Base::u, Base::VECTOR, Base::whole_pull;
-  using typename Base::Kin;
-  using typename Base::Str;
+  using Base = PointSweeps<D>;
+  using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nthreads,
+      Base::opt, Base::safe, Base::types;
+  using Batch = typename Base::Batch;
+  using Totals = typename Base::Totals;
+  using Tensors = Tensor<D, Pack>;
 
-  std::vector<double> nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
-  Rows B;                          // of own particles, tensors
-  Rows F;                          // the same, where no neighbor reads C
-  std::vector<double> nsum;        // n of the correction, own
-  std::vector<double> damp;        // of every pair: hourglass force on i = V0_i damp x_ij
-
+  // components of a column: positions, velocities (for heat: displacements), positions in the
+  // reference; what the constitutive update fills and ghosts are sent: sigma C, impedance
+  // rho c_L h, density, bulk sound speed, n of the correction or the switch of a viscosity;
+  // then, if a scene needs them, C and F'; viscous acceleration, velocities it belongs to
+  static constexpr int X = 0, V = D, REFERENCE = 2 * D, T = 3 * D, IMPEDANCE = T + D * D,
+                       RHO = IMPEDANCE + 1, SOUND = RHO + 1, LAST = SOUND + 1, FIXED = LAST + 1,
+                       MOST = FIXED + 2 * D * D + 2 * D;
+  static constexpr int NEXT = Columns::NEXT;
   bool viscous() const { return opt.viscosity != Viscosity::NONE; }
-  static bool keeps_rates(const Options &o)
-  {
-    return o.hourglass > 0.0 || needs_rates(pair_form(o.viscosity));
-  }
-  static int count_tensors(const Options &o)
-  {
-    return (o.viscosity != Viscosity::NONE ? 1 : 0) + (keeps_rates(o) ? 1 : 0);
-  }
-  // where in a stress row: C, F'
-  int at_C() const { return extra(0); }
-  int at_rate() const { return extra(viscous() ? 1 : 0); }
+  bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
+  int at_C() const { return FIXED; }
+  int at_rate() const { return at_C() + (viscous() ? D * D : 0); }
+  int at_da() const { return at_rate() + (keeps_rates() ? D * D : 0); }
+  int at_early() const { return at_da() + (needs_correction() ? D : 0); }
+  int components() const { return at_early() + (needs_correction() && this->keeps_heat ? D : 0); }
 
-  bool can_keep_heat() const override
-  {
-    if (!opt.energy) return false;
-    return !needs_correction() ||
-        (opt.weights == Weights::CONSERVATIVE && opt.heating == Heating::COMPATIBLE);
-  }
-  void add_due_heat(const Particles &, const NeighborRows &) override;
-  bool constant_weights() const override { return true; }
-  double own_weight(int i) const override { return kin(i)[Kin::VOLUME]; }
-  double switch_weight(int) const override { return 1.0; }    // the factor has V0_j
-  double step_factor(int i) const override;
-  Overload overload(int i) const;
-  double weight_volume(const Particles &p, int i) const override { return p.vref[i]; }
+  Columns columns;
+  std::vector<int> own;          // own particles in the order of columns: by ID
+  std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
+  int nparticles = 0;            // own and ghosts, before images
+  int end_of_own = 0, end_of_columns = 0;
+  Slots slots;
+  Rows B, F;             // of own particles; F only where no neighbor reads C
+  Rows damp;             // of slots: hourglass force on i = V0_i damp x_ij
+  Rows pull;             // the same for viscous forces, -V0_i pull x_ij, kept for heat
+  Rows near_weight;      // of slots with nearest partners: m_j Wbar_ij, then weights
+  Rows near_pull;        // weights safe: force on i = m_i/2 near_pull x_ij
+  Rows mu_max, early;    // of own: largest approach rate; power of forces on their velocities
+  Totals early_totals;
+  bool weights_known = false, lonely = false;    // a particle has no nearest partner
 
-  // X_i - X_j
-  Vector<D> reference_separation(int i, int j) const { return separation(i, j, Kin::REFERENCE); }
-  double *reference(int row) { return &krow[row * Kin::STRIDE + Kin::REFERENCE]; }
-  void place_references(const Particles &, const NeighborRows &);
-  void unwrap_references(const Particles &, const NeighborRows &);
-  int add_pairs(const Particles &, int i, int n, const int *list, bool nearest, int at);
-  void fill_vectors(int i);
-  double mass_wbar(const Particles &, int i, int j) const;
-  void correct_row(const Particles &, int i);
-  void prefetch_pairs(int k) const { prefetch(pairs.factor.data() + k + PAIRS_AHEAD, LANES); }
-  // one of own particles' tensors
-  static constexpr int TENSOR = Blocks<D>::TENSOR;
-  static Tensor<D> tensor(const double *blocks)
+  // what is constant between two neighbor lists
+  void place_columns(const Particles &, const NeighborRows &);
+  std::vector<double> place_references(const Particles &, const NeighborRows &) const;
+  void unwrap_references(const Particles &, const NeighborRows &, std::vector<double> &) const;
+  void size_storage(int gathered);
+  struct Arranging;
+  template <class Call> void each_arranging(const Arranging &, Call);
+  int source_of(int row) const
   {
-    Tensor<D> t;
+    return row < nparticles ? row : images.source_of(row - nparticles);
+  }
+
+  // blocks
+  int blocks() const { return end_of_own / LANES; }
+  NeighborRows own_list() { return {static_cast<int>(own.size()), own.data(), nullptr, nullptr}; }
+  int particles_of(int block) const
+  {
+    return std::min(LANES, static_cast<int>(own.size()) - block * LANES);
+  }
+  template <class Call> Totals each_block(Call call);
+  // room for the components of gathered neighbors, as far apart as in columns
+  struct Scratch {
+    alignas(64) double of[MOST * NEXT];
+  };
+  const double *neighbors(int slot, int block, Scratch &scratch) const
+  {
+    const int offset = slots.offset[slot];
+    if (offset < Slots::GATHERED / 2) return columns.at(block * LANES + offset);
+    return gather(&slots.gathered[(offset - Slots::GATHERED) * LANES], scratch);
+  }
+  const double *gather(const int *from, Scratch &) const;
+
+  // of the particles of a block, or of a slot's neighbors
+  static Pack component(const double *at, int c) { return load(at + c * NEXT); }
+  static Tensors tensor(const double *at, int c)
+  {
+    Tensors t;
     for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) t(a, b) = blocks[Blocks<D>::at(a, b)];
+      for (int b = 0; b < D; b++) t(a, b) = component(at, c + D * a + b);
     return t;
   }
-  Tensor<D> deformation_gradient(int i) const;
+  static void difference(const double *i, const double *j, int c, Pack *out)
+  {
+    for (int a = 0; a < D; a++) out[a] = component(i, c + a) - component(j, c + a);
+  }
+  static Components<D> motion(const double *i, const double *j)
+  {
+    Components<D> d;
+    difference(i, j, X, d.x);
+    difference(i, j, V, d.v);
+    return d;
+  }
+  void store_tensor(int column, int c, const Tensors &t)
+  {
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) columns.store(column, c + D * a + b, t(a, b));
+  }
+  static Tensors load_tensors(const Rows &of, int block)
+  {
+    Tensors t;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) t(a, b) = load(&of[((block * D + a) * D + b) * LANES]);
+    return t;
+  }
+  static void store_tensors(Rows &of, int block, const Tensors &t)
+  {
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) store(&of[((block * D + a) * D + b) * LANES], t(a, b));
+  }
+  static void add_forces(const Particles &, const Batch &, int n, const Pack *f);
+  static Tensor<D> own_tensor(const Rows &, int column);
+  void mirror_vectors(int component);
+  int place_of(Message) const;
+  // x.TX, T of one particle or the sum of two
+  static Pack along(const double *i, int c, const Pack *x, const Pack *X)
+  {
+    return product(
+        [=](int k) {
+          return component(i, c + k);
+        },
+        x, X);
+  }
+  static Pack along_sum(const double *i, const double *j, int c, const Pack *x, const Pack *X)
+  {
+    return product(
+        [=](int k) {
+          return component(i, c + k) + component(j, c + k);
+        },
+        x, X);
+  }
+  template <class T> static Pack product(T tensor, const Pack *x, const Pack *X)
+  {
+    Pack sum = 0.0;
+    for (int a = 0; a < D; a++) {
+      Pack t = tensor(D * a) * X[0];
+      for (int b = 1; b < D; b++) t = multiply_add(tensor(D * a + b), X[b], t);
+      sum = multiply_add(x[a], t, sum);
+    }
+    return sum;
+  }
 
-  // of a row, of the heat that is due: what viscosity, correction and hourglass damping of pairs
-  // give, up to factors of the row
-  struct LateHeat {
-    Motion<D> kick;    // da and the velocity that belongs to it
-    Pack drift, viscous, corrected, hourglass;
-  };
-  // of a batch: sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g; of the heat that is due, the
-  // viscous part and that of the hourglass damping
+  // what the pairs of a block add up to; of the work of forces without factors of the particles
   struct Sums {
-    Several<D> displacement[LANES], velocity[LANES];
-    double viscous[LANES] = {}, hourglass[LANES] = {};
+    Tensors displacement, velocity;    // sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
+    Pack viscous, corrected, hourglass;
   };
-  template <bool LATE> void accumulate(int i, Sums &, int lane) const;
-  void add_late_pairs(const int *j, int k, bool nearest, const Motion<D> *d, LateHeat &) const;
+  // NONE; what is due: with the velocities of the last evaluation and these; of displacements
+  enum class Work { NONE, DUE, WHOLE };
+  template <Work WORK> Sums accumulate(int block) const;
+  template <Work WORK>
+  void add_work(int slot, int block, bool nearest, const double *i, const double *j,
+                const Components<D> &, Sums &) const;
+  template <Work WORK>
+  Pack corrected_power(const double *i, const double *j, const Components<D> &) const;
+  // of a pair of nearest partners: what its force is along, and what it is times m_i/2
+  Pack corrected_along(const double *i, const double *j, int a) const
+  {
+    const int c = safe() ? X : at_da();
+    return component(i, c + a) - component(j, c + a);
+  }
+  std::size_t near_place(int slot, int block) const
+  {
+    const int n = slot - slots.first[block] + slots.near_first[block];
+    return static_cast<std::size_t>(n) * LANES;
+  }
+  Pack near_factor(int slot, int block) const
+  {
+    return load(&(safe() ? near_pull : near_weight)[near_place(slot, block)]);
+  }
+  struct Power {
+    Pack stress, viscous, corrected, hourglass;
+    Pack sum() const { return stress + viscous + corrected + hourglass; }
+  };
+  Power power(int block, Pack mass, Pack V0, const Sums &) const;
+  void enter_block(int block, Pack mass, int n, const Power &, bool early, Totals &) const;
+  void enter_due(const Totals &late);
+  Tensors block_virial(const Particles &, int block, const Batch &) const;
+  static void repeat_last(Sums &, int n);
   template <bool LATE>
-  int update(const Particles &, const typename Base::Batch &, int n, double dt,
-             typename Base::Totals &);
-  // velocity of the last evaluation
-  const double *early_v(int i) const { return &da[i * da_stride + VECTOR]; }
-  void add_late_heat(const Particles &, const typename Base::Batch &, int n,
-                     const Tensor<D, Pack> &velocity, Sums &, typename Base::Totals &) const;
-  template <class Call> void each_batch(const NeighborRows &, Call);
-  template <PairForm FORM, bool HOURGLASS> typename Base::Power force_row(const Particles &, int i);
-  template <PairForm FORM, bool HOURGLASS> void force_rows(const Particles &, const NeighborRows &);
-  void near_weights(int i) override;
-  void pack_constants(const Particles &, int i, double *row) const override;
-  template <bool PULL, bool DAMP> typename Base::Power pair_power(int i) const;
+  int update(const Particles &, int block, const Batch &, int n, double dt, Totals &);
+  void add_late_heat(const Particles &, int block, const Batch &, int n, const Sums &,
+                     Totals &) const;
+  Pack standard_power(const double *i, Pack mass, bool early) const;
+
+  template <PairForm FORM, bool HOURGLASS> void force_blocks(const Particles &);
+  template <PairForm FORM, bool HOURGLASS>
+  void force_block(const Particles &, int block, const Batch &, int n, Totals &);
+
+  // viscous forces of pairs: are they kept?  Are they heat as they are?  A compatible correction
+  // heats in a way of its own, but for pairs that it must not touch
+  bool keeps_pairs() const
+  {
+    if (!viscous()) return false;
+    return !needs_correction() || opt.heating == Heating::PRINTED || lonely;
+  }
+  Pack whole_pull(const double *i, const double *j, Pack pull) const;
+  Pack heated_pull(const double *i, const double *j, Pack pull) const
+  {
+    const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
+    return all ? pull : whole_pull(i, j, pull);
+  }
+  void near_weights(int block);
+  void safe_pulls(int block);
+
+  Tensor<D> deformation_gradient(const Particles &, int column) const;
+  double step_factor(const Particles &, int column) const;
+  Overload overload(const Particles &, int column) const;
 };
 
 }    // namespace

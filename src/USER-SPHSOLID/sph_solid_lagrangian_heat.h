@@ -10,149 +10,206 @@
 namespace {
 
 /* ----------------------------------------------------------------------
+   what the forces of pairs give to i while particles move, up to factors of i: half
+   of each pair's of viscosity and hourglass damping
+------------------------------------------------------------------------- */
+
+template <int D>
+template <typename LagrangianSweeps<D>::Work WORK>
+inline void LagrangianSweeps<D>::add_work(int s, int block, bool nearest, const double *i,
+                                          const double *j, const Components<D> &d, Sums &sums) const
+{
+  const std::size_t k = s * std::size_t(LANES);
+  Pack along = 0.0;    // velocities along distances when the forces were found
+  for (int a = 0; a < D; a++) {
+    const Pack x = WORK == Work::DUE ? d.x[a] - Pack(this->due.drift) * d.v[a] : d.x[a];
+    along = multiply_add(d.v[a], x, along);
+  }
+  if (opt.hourglass > 0.0) sums.hourglass = multiply_add(load(&damp[k]), along, sums.hourglass);
+  if (keeps_pairs())
+    sums.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), along, sums.viscous);
+  if (nearest)
+    sums.corrected =
+        multiply_add(near_factor(s, block), corrected_power<WORK>(i, j, d), sums.corrected);
+}
+
+// compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
+// shepard weights leak momentum, there the loss of kinetic energy of the
+// particle itself becomes heat (exact in total, not Galilean invariant);
+// printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
+// safe: half the work of each central pair force, none of it negative for u = v.
+// This is -4/m_i of the sum, without w_ij
+
+template <int D>
+template <typename LagrangianSweeps<D>::Work WORK>
+inline Pack LagrangianSweeps<D>::corrected_power(const double *i, const double *j,
+                                                 const Components<D> &d) const
+{
+  const bool conservative = opt.weights == Weights::CONSERVATIVE;
+  Pack sum = 0.0;
+  for (int a = 0; a < D; a++) {
+    Pack moved = d.v[a], acceleration = corrected_along(i, j, a);
+    if (WORK == Work::DUE)
+      moved += component(i, at_early() + a) - component(j, at_early() + a);
+    else if (!safe() && opt.heating == Heating::PRINTED)
+      acceleration = -2.0 * component(j, at_da() + a);
+    else if (!safe() && !conservative)
+      moved = 2.0 * component(i, V + a);
+    sum = multiply_add(moved, acceleration, sum);
+  }
+  return sum;
+}
+
+// what the standard viscosity would heat, apart from pairs that are heated as they are
+
+template <int D>
+Pack LagrangianSweeps<D>::standard_power(const double *i, Pack mass, bool early) const
+{
+  Pack power = 0.0;
+  if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
+  for (int a = 0; a < D; a++) {
+    Pack moved = component(i, V + a);
+    if (early) moved += component(i, at_early() + a);
+    power -= mass * component(i, at_da() + a) * moved;
+  }
+  return power;
+}
+
+/* ----------------------------------------------------------------------
    heat on the way: the share of the velocities that come after the forces
 ------------------------------------------------------------------------- */
 
-// pairs k to k + LANES - 1, d: motion of j less that of i
-
-template <int D>
-inline void LagrangianSweeps<D>::add_late_pairs(const int *j, int k, bool nearest,
-                                                const Motion<D> *d, LateHeat &heat) const
+template <int D> bool LagrangianSweeps<D>::can_keep_heat() const
 {
-  if (opt.hourglass > 0.0) {
-    const Spread damped(load(&damp[k]));
-    for (int m = 0; m < BLOCK; m++)
-      heat.hourglass = multiply_add(damped[m], d[m].before(heat.drift).products(), heat.hourglass);
-  }
-  if (Base::heats_pairs()) {
-    const Spread pulled(load(&pull[k]));
-    for (int m = 0; m < BLOCK; m++)
-      heat.viscous = multiply_add(pulled[m], d[m].before(heat.drift).products(), heat.viscous);
-  }
-  if (needs_correction() && nearest) {    // w_ij (da_i - da_j).(v_i - v_j + v'_i - v'_j)
-    const Spread weight(load(&near_weight[k]));
-    for (int m = 0; m < BLOCK; m++) {
-      const Motion<D> kick = heat.kick - Motion<D>(Addresses(da.data(), j + m, da_stride));
-      heat.corrected = multiply_add(weight[m], kick.products_less(d[m]), heat.corrected);
-    }
-  }
+  if (!opt.energy) return false;
+  return !needs_correction() ||
+      (opt.weights == Weights::CONSERVATIVE && opt.heating == Heating::COMPATIBLE);
 }
 
-template <int D>
-void LagrangianSweeps<D>::add_due_heat(const Particles &p, const NeighborRows &list)
+template <int D> void LagrangianSweeps<D>::add_due_heat(const Particles &p, const NeighborRows &)
 {
-  each_batch(list, [&](const typename Base::Batch &batch, int n, typename Base::Totals &totals) {
-    Sums sums;
-    for (int m = 0; m < LANES; m++) accumulate<true>(batch.i[m], sums, m);
-    add_blocks<D>(sums.velocity);
-    add_late_heat(p, batch, n, lanes_of<D>(sums.velocity), sums, totals);
+  const Totals totals = each_block([&](int block, const Batch &batch, int n, Totals &t) {
+    Sums sums = accumulate<Work::DUE>(block);
+    if (n < LANES) repeat_last(sums, n);
+    add_late_heat(p, block, batch, n, sums, t);
   });
+  enter_due(totals);
 }
 
-// what the last evaluation's forces do to the particles of a batch, of whom n count in totals,
+template <int D> void LagrangianSweeps<D>::enter_due(const Totals &late)
+{
+  Base::enter(early_totals, this->due.factor);
+  Base::enter(late, this->due.factor);
+  early_totals = {};
+  this->due = {};
+}
+
+// the work of forces on the particles of a block; of the stress the half with sigma_i
+
+template <int D>
+typename LagrangianSweeps<D>::Power LagrangianSweeps<D>::power(int block, Pack mass, Pack V0,
+                                                               const Sums &sums) const
+{
+  const Tensors sigma_C = tensor(columns.at(block * LANES), T);
+  return {V0 * sums.velocity.cwiseProduct(sigma_C).sum(), 0.5 * V0 * sums.viscous,
+          -0.25 * mass * sums.corrected, -0.5 * V0 * sums.hourglass};
+}
+
+// early: is it of the velocities of the last evaluation and these?
+
+template <int D>
+void LagrangianSweeps<D>::enter_block(int block, Pack mass, int n, const Power &power, bool early,
+                                      Totals &totals) const
+{
+  const Pack standard = standard_power(columns.at(block * LANES), mass, early);
+  totals.viscous += Base::sum_of_first(power.viscous + power.corrected, n);
+  totals.standard += Base::sum_of_first(power.viscous + standard, n);
+  totals.hourglass += Base::sum_of_first(power.hourglass, n);
+}
+
+// what the last evaluation's forces do to the particles of a block, of whom n count in totals,
 // with the velocities of that evaluation plus these
 
 template <int D>
-void LagrangianSweeps<D>::add_late_heat(const Particles &p, const typename Base::Batch &batch,
-                                        int n, const Tensor<D, Pack> &velocity, Sums &sums,
-                                        typename Base::Totals &totals) const
+void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Batch &batch, int n,
+                                        const Sums &sums, Totals &totals) const
 {
-  for (int m = 0; m < n; m++) {
-    const int i = batch.i[m];
-    if (needs_correction()) {
-      const double lone = Base::lonely_power(
-          i,
-          [&](int j, int a) {
-            return early_v(i)[a] - early_v(j)[a] + (u(i)[a] - u(j)[a]);
-          },
-          [&](int j, int a) {
-            return kin(i)[a] - kin(j)[a] - this->due.drift * (u(i)[a] - u(j)[a]);
-          });
-      totals.standard += lone + Base::standard_power(i, early_v(i)) + Base::standard_power(i, u(i));
-      sums.viscous[m] += lone;
-    }
-    totals.viscous += sums.viscous[m];
-    totals.hourglass += sums.hourglass[m];
-  }
-  for (int m = n; m < LANES; m++) {    // the last one again
-    sums.viscous[m] = sums.viscous[n - 1];
-    sums.hourglass[m] = sums.hourglass[n - 1];
-  }
-  Several<D> rows[BLOCK];
-  for (int m = 0; m < BLOCK; m++)
-    rows[m] = load_tensor<D>(batch.rows(srow.data(), m, stress_stride) + Str::T);
-  const Pack V0 = batch.load(p.vref);
-  const Pack power = batch.load(early.data()) +
-      V0 * velocity.cwiseProduct(lanes_of<D>(rows)).sum() + load(sums.viscous) +
-      load(sums.hourglass);
-  batch.store(p.e, batch.load(p.e) + this->due.factor * power / batch.load(p.mass));
+  const Pack mass = batch.load(p.mass);
+  const Power late = power(block, mass, batch.load(p.vref), sums);
+  enter_block(block, mass, n, late, true, totals);
+  const Pack heat = load(&early[block * LANES]) + late.sum();
+  batch.store(p.e, batch.load(p.e) + this->due.factor * heat / mass);
 }
 
 /* ----------------------------------------------------------------------
    heat of a sweep of its own
 ------------------------------------------------------------------------- */
 
-// stress: V0_i T_i : sum_j V0_j (u_j - u_i) (x) g, exact adjoint of the force
-
 template <int D>
-void LagrangianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
+void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat, bool book)
 {
-  with_flags(Base::heats_pairs(), opt.hourglass > 0.0, [&](auto pull, auto damp) {
-    Base::sum_heat(list, heat, book, [this](int i) {
-      return pair_power<decltype(pull)::value, decltype(damp)::value>(i);
-    });
+  mirror_vectors(V);
+  const Totals totals = each_block([&](int block, const Batch &batch, int n, Totals &t) {
+    const Sums sums = accumulate<Work::WHOLE>(block);
+    const Pack mass = batch.load(p.mass);
+    const Power of_block = power(block, mass, batch.load(p.vref), sums);
+    enter_block(block, mass, n, of_block, false, t);
+    const Pack all = of_block.sum();
+    for (int m = 0; m < n; m++) heat[batch.i[m]] = all[m];
   });
+  if (book) Base::enter(totals, 1.0);
 }
 
+/* ----------------------------------------------------------------------
+   virial, only on steps that ask for it: half of each pair's sum x_ij f_ij
+------------------------------------------------------------------------- */
+
 template <int D>
-template <bool PULL, bool DAMP>
-typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::pair_power(int i) const
+void LagrangianSweeps<D>::virial(const Particles &p, const NeighborRows &, double *six)
 {
-  const double *kall = krow.data();
-  const Motion<D> own(kin(i));
-  const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
-  Several<D> gradient = Several<D>::zero();
-  Pack viscous(0.0), hourglass(0.0);
-  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
-    const int *j = &pairs.j[k];
-    prefetch_pairs(k);
-    if (DAMP) prefetch(damp.data() + k + PAIRS_AHEAD, LANES);
-    const Pack F = load(&pairs.factor[k]);
-    const Spread factor(F), pulled(PULL ? load(&pull[k]) : F), damped(DAMP ? -load(&damp[k]) : F);
-    for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, Kin::STRIDE);
-      const Motion<D> d = Motion<D>(kj) - own;
-      const Pack X = Xi - load(kj + Kin::REFERENCE);
-      add_outer(gradient, d.expanded_v(), spread<D>(X) * factor[m]);
-      if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
-      if (DAMP) hourglass = multiply_add(damped[m], d.products(), hourglass);
-    }
+  double total[6] = {};
+  const NeighborRows list = own_list();
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : total)
+#endif
+  for (int block = 0; block < blocks(); block++) {
+    const Tensors sum = block_virial(p, block, Batch(list, block * LANES));
+    for (int a = 0; a < D; a++)
+      for (int b = a; b < D; b++)
+        total[VOIGT[a][b]] += 0.5 * Base::sum_of_first(sum(b, a), particles_of(block));
   }
-  const double V0 = kin(i)[Kin::VOLUME];
-  return {V0 * contract(gradient, load_tensor<D>(str(i))), 0.5 * V0 * Motion<D>::v_dot_x(viscous),
-          0.5 * V0 * Motion<D>::v_dot_x(hourglass)};
+  for (int k = 0; k < 6; k++) six[k] += total[k];
 }
 
+// sum of f_ij (x) x_ij
+
 template <int D>
-void LagrangianSweeps<D>::virial(const Particles &, const NeighborRows &list, double *six)
+typename LagrangianSweeps<D>::Tensors
+LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &batch) const
 {
-  const double *sall = srow.data(), *Xall = krow.data() + Kin::REFERENCE;
-  const double *factor = pairs.factor.data();
-  const double *damping = opt.hourglass > 0.0 ? damp.data() : nullptr;
-  const int *neighbor = pairs.j.data(), stride = stress_stride;
-  const bool pulls = keeps_pairs();
-  Base::sum_virial(list, six, [=](int i) {
-    const double V0 = kin(i)[Kin::VOLUME];
-    const Several<D> T = load_tensor<D>(str(i));
-    const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
-    return [=](int k, const Motion<D> &d) {
-      const double *sj = sall + static_cast<std::int64_t>(neighbor[k]) * stride;
-      const Pack X = Xi - load_block(Xall + static_cast<std::int64_t>(neighbor[k]) * Kin::STRIDE);
-      const Several<D> g = spread<D>(X) * Pack(V0 * factor[k]);
-      const double central = (damping ? V0 * damping[k] : 0.0) - (pulls ? whole_pull(i, k) : 0.0);
-      return expanded<D>(times(T + load_tensor<D>(sj), g)) + Pack(central) * d.expanded_x();
-    };
-  });
+  const double *i = columns.at(block * LANES);
+  const Pack V0 = batch.load(p.vref), half_mass = 0.5 * batch.load(p.mass);
+  const int near_end = slots.first[block] + slots.nearest(block);
+  TensorSums<D> sum;
+  Scratch scratch;
+  for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
+    const std::size_t k = s * std::size_t(LANES);
+    const double *j = neighbors(s, block, scratch);
+    const Components<D> d = motion(i, j);
+    Pack reference[D], f[D], central = 0.0;
+    difference(i, j, REFERENCE, reference);
+    if (opt.hourglass > 0.0) central += load(&damp[k]);
+    if (keeps_pairs()) central -= whole_pull(i, j, load(&pull[k]));
+    for (int a = 0; a < D; a++) {
+      Pack t = 0.0;
+      for (int b = 0; b < D; b++)
+        t += (component(i, T + D * a + b) + component(j, T + D * a + b)) * reference[b];
+      f[a] = V0 * (load(&slots.factor[k]) * t + central * d.x[a]);
+      if (s < near_end) f[a] += half_mass * near_factor(s, block) * corrected_along(i, j, a);
+    }
+    sum.add(f, d.x);
+  }
+  return sum.tensor();
 }
 
 }    // namespace

@@ -1,5 +1,5 @@
 /* ----------------------------------------------------------------------
-   The Lagrangian frame between two neighbor lists: reference positions of rows,
+   The Lagrangian frame between two neighbor lists: columns, reference positions,
    pairs and what is constant of them, and where the frame ends.  Members of
    LagrangianSweeps.
 ------------------------------------------------------------------------- */
@@ -26,24 +26,51 @@ constexpr double LEAST_STRETCH = 0.01;
 constexpr double STEP_STRETCH = 0.05;
 
 /* ----------------------------------------------------------------------
-   partners have new local indices: everything that is constant between two
-   such moments
+   columns: own particles by ID, so that a lattice is in order however LAMMPS has
+   sorted its particles, or particles have come from other ranks; ghosts; images
+------------------------------------------------------------------------- */
+
+inline std::int64_t id_of(const Particles &p, int i)
+{
+  return p.id ? p.id[i] : i;
+}
+
+template <int D>
+void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list)
+{
+  nparticles = p.nall;
+  auto sort_by_id = [&](std::vector<int> &particles) {
+    auto before = [&](int i, int j) {
+      return id_of(p, i) < id_of(p, j);
+    };
+    if (!std::is_sorted(particles.begin(), particles.end(), before))
+      std::stable_sort(particles.begin(), particles.end(), before);
+  };
+  own.assign(list.ilist, list.ilist + list.inum);
+  std::vector<int> ghosts;
+  for (int i = p.nlocal; i < p.nall; i++) ghosts.push_back(i);
+  sort_by_id(own);
+  sort_by_id(ghosts);
+
+  column_of.assign(p.nall + images.count(), -1);
+  int column = 0;
+  for (const int i : own) column_of[i] = column++;
+  end_of_own = column = whole_vectors(column);
+  for (const int i : ghosts) column_of[i] = column++;
+  for (int k = 0; k < images.count(); k++) column_of[p.nall + k] = column++;
+  end_of_columns = column;
+}
+
+/* ----------------------------------------------------------------------
+   reference positions of rows, D doubles each.  Bodies cross a periodic box, and
+   their reference does not: move reference positions by whole boxes until partners are
+   neighbors there, too.  How many boxes two rows are to be apart follows from where they
+   are now, so that it is the same from every particle that has both as partners
 ------------------------------------------------------------------------- */
 
 template <int D>
-void LagrangianSweeps<D>::pack_constants(const Particles &p, int i, double *row) const
-{
-  row[Kin::MASS] = p.mass[i];
-  row[Kin::VOLUME] = weight_volume(p, i);
-  for (int a = 0; a < D; a++) row[Kin::REFERENCE + a] = p.xref[i][a];
-}
-
-// Bodies cross a periodic box, and their reference does not: move reference positions by whole
-// boxes until partners are neighbors there, too.  How many boxes two rows are to be apart follows
-// from where they are now, so that it is the same from every particle that has both as partners
-
-template <int D>
-void LagrangianSweeps<D>::unwrap_references(const Particles &p, const NeighborRows &list)
+void LagrangianSweeps<D>::unwrap_references(const Particles &p, const NeighborRows &list,
+                                            std::vector<double> &reference) const
 {
   std::vector<char> placed(p.nall, 0);
   std::vector<int> open;
@@ -59,9 +86,11 @@ void LagrangianSweeps<D>::unwrap_references(const Particles &p, const NeighborRo
       for (int jj = 0; jj < list.numneigh[i]; jj++) {
         const int j = list.firstneigh[i][jj] & INDEX_MASK;
         if (placed[j]) continue;
-        const Vector<D> X = reference_separation(i, j);
-        for (int a = 0; a < D; a++)
-          if (p.period[a] > 0.0) reference(j)[a] += p.period[a] * std::round(X[a] / p.period[a]);
+        for (int a = 0; a < D; a++) {
+          const double apart = reference[i * D + a] - reference[j * D + a];
+          if (p.period[a] > 0.0)
+            reference[j * D + a] += p.period[a] * std::round(apart / p.period[a]);
+        }
         place(j);
       }
     }
@@ -69,122 +98,233 @@ void LagrangianSweeps<D>::unwrap_references(const Particles &p, const NeighborRo
 }
 
 template <int D>
-void LagrangianSweeps<D>::place_references(const Particles &p, const NeighborRows &list)
+std::vector<double> LagrangianSweeps<D>::place_references(const Particles &p,
+                                                          const NeighborRows &list) const
 {
-  if (p.period[0] > 0.0 || p.period[1] > 0.0 || p.period[2] > 0.0) unwrap_references(p, list);
-  for (int row = p.nall; row < this->nrows; row++) {
-    const int k = row - p.nall;
-    images.template position<D>(k, reference(images.source_of(k)), reference(row));
-  }
+  std::vector<double> reference(column_of.size() * D);
+  for (int i = 0; i < p.nall; i++)
+    for (int a = 0; a < D; a++) reference[i * D + a] = p.xref[i][a];
+  if (p.period[0] > 0.0 || p.period[1] > 0.0 || p.period[2] > 0.0)
+    unwrap_references(p, list, reference);
+  for (int k = 0; k < images.count(); k++)
+    images.template position<D>(k, &reference[images.source_of(k) * D],
+                                &reference[(p.nall + k) * D]);
+  return reference;
 }
 
-// append the nearest or the other partners of a list to row i from at on
+/* ----------------------------------------------------------------------
+   the partners of a block's particles, arranged in slots
+------------------------------------------------------------------------- */
 
-template <int D>
-int LagrangianSweeps<D>::add_pairs(const Particles &p, int i, int n, const int *list, bool nearest,
-                                   int at)
-{
-  for (int jj = 0; jj < n; jj++) {
-    const int j = list[jj] & INDEX_MASK;
-    const int source = Base::source_of(j);
-    const TypeData &ti = types[p.type[i]], &tj = types[p.type[source]];
-    const double h = 0.5 * (ti.h + tj.h), support = 0.5 * opt.hbar * (ti.spacing + tj.spacing);
-    const double r = reference_separation(i, j).norm();
-    if ((r < support) != nearest || (!nearest && r >= SUPPORT * h)) continue;
-    if (j >= p.nall && r < COINCIDE * h) continue;    // on the plane: its own image
-    const double q = r / h;
-    pairs.j[at] = j;
-    pairs.factor[at] = p.vref[source] * CubicSpline<D>::gradient_factor(r, h);
-    nearness[at] = q / (q * q + MU_EPSILON);
-    at++;
+template <int D> struct LagrangianSweeps<D>::Arranging {
+  LagrangianSweeps &of;
+  const Particles &p;
+  const NeighborRows &list;
+  const std::vector<double> &reference;
+  Arranging(LagrangianSweeps &s, const Particles &particles, const NeighborRows &rows,
+            const std::vector<double> &X) :
+      of(s),
+      p(particles), list(rows), reference(X)
+  {
   }
-  return at;
-}
+
+  std::vector<Partner> partners[LANES];
+  Tensor<D> moment[LANES];    // M
+  double nsum[LANES];         // n of the correction: sum m_j Wbar
+
+  static constexpr std::int64_t IMAGES_LAST = std::int64_t(1) << 62;
+
+  // X_i - X_j of two rows
+  Vector<D> separation(int i, int j) const
+  {
+    Vector<D> d;
+    for (int a = 0; a < D; a++) d[a] = reference[i * D + a] - reference[j * D + a];
+    return d;
+  }
+  const TypeData &type(int row) const { return of.types[p.type[of.source_of(row)]]; }
+  double mean_h(int i, int j) const { return 0.5 * (type(i).h + type(j).h); }
+  double near_support(int i) const { return of.opt.hbar * type(i).spacing; }
+
+  // append the nearest partners among n rows to those of i, or the others
+  void add(std::vector<Partner> &to, int i, int n, const int *rows, bool nearest) const
+  {
+    for (int k = 0; k < n; k++) {
+      const int j = rows[k] & INDEX_MASK;
+      const double r = separation(i, j).norm(), h = mean_h(i, j);
+      const bool near = r < 0.5 * (near_support(i) + near_support(j));
+      if (near != nearest || (!nearest && r >= SUPPORT * h)) continue;
+      if (j >= p.nall && r < COINCIDE * h) continue;    // on the plane: its own image
+      const std::int64_t apart = id_of(p, of.source_of(j)) - id_of(p, i);
+      to.push_back({j, of.column_of[j], nearest && of.needs_correction(),
+                    j < p.nall ? apart : apart + IMAGES_LAST, r});
+    }
+  }
+
+  void collect(int block)
+  {
+    for (int m = 0; m < LANES; m++) {
+      partners[m].clear();
+      if (m >= of.particles_of(block)) continue;
+      const int i = of.own[block * LANES + m];
+      const int nimage = of.images.any() ? of.image_first[i + 1] - of.image_first[i] : 0;
+      const int *image = nimage ? &of.image_j[of.image_first[i]] : nullptr;
+      for (const bool nearest : {true, false}) {
+        add(partners[m], i, list.numneigh[i], list.firstneigh[i], nearest);
+        add(partners[m], i, nimage, image, nearest);
+      }
+    }
+  }
+
+  bool has_nearest(const int *which) const
+  {
+    for (int m = 0; m < LANES; m++)
+      if (which[m] >= 0 && partners[m][which[m]].nearest) return true;
+    return false;
+  }
+
+  // slots that a block has, those with nearest partners, those to be gathered
+  void count(int block, int &nslots, int &nearest, int &gathered)
+  {
+    nslots = nearest = gathered = 0;
+    collect(block);
+    arrange(partners, block * LANES, [&](bool side_by_side, int, const int *which) {
+      nslots++;
+      if (!side_by_side) gathered++;
+      if (has_nearest(which)) nearest = nslots;
+    });
+  }
+
+  void fill(int block, int gathered)
+  {
+    Slots &slots = of.slots;
+    int s = slots.first[block], near = slots.near_first[block];
+    for (int m = 0; m < LANES; m++) {
+      moment[m].setZero();
+      nsum[m] = 0.0;
+    }
+    collect(block);
+    arrange(partners, block * LANES, [&](bool side_by_side, int offset, const int *which) {
+      slots.offset[s] = side_by_side ? offset : Slots::GATHERED + gathered;
+      for (int m = 0; m < LANES; m++) {
+        const Partner *partner = which[m] >= 0 ? &partners[m][which[m]] : nullptr;
+        if (!side_by_side)
+          slots.gathered[gathered * LANES + m] = partner ? partner->column : block * LANES + m;
+        if (partner) fill_pair(block, m, s, near, *partner);
+      }
+      if (!side_by_side) gathered++;
+      s++;
+      near++;
+    });
+    correct(block);
+  }
+
+  // what is constant of a pair
+  void fill_pair(int block, int m, int slot, int near, const Partner &partner)
+  {
+    const int i = of.own[block * LANES + m], source = of.source_of(partner.row);
+    const double h = mean_h(i, source), q = partner.r / h;
+    const std::size_t k = static_cast<std::size_t>(slot) * LANES + m;
+    const double factor = p.vref[source] * CubicSpline<D>::gradient_factor(partner.r, h);
+    of.slots.factor[k] = factor;
+    of.slots.nearness[k] = q / (q * q + MU_EPSILON);
+    of.slots.count[block * LANES + m]++;
+    const Vector<D> X = separation(i, partner.row);
+    moment[m] -= factor * X * X.transpose();
+    if (!partner.nearest) return;
+    const double weight =
+        Base::wbar_mass(partner.r, p.mass[source], near_support(i), near_support(source));
+    of.near_weight[static_cast<std::size_t>(near) * LANES + m] = weight;
+    nsum[m] += weight;
+  }
+
+  // B_i and, for the acceleration correction, n_i; behind the last particle the last one again
+  void correct(int block)
+  {
+    for (int m = 0; m < LANES; m++) {
+      const int n = std::min(m, of.particles_of(block) - 1);
+      const bool enough = moment[n].determinant() >= DET_FALLBACK;
+      const Tensor<D> inverse = enough ? Tensor<D>(moment[n].inverse()) : Tensor<D>::Identity();
+      for (int a = 0; a < D; a++)
+        for (int b = 0; b < D; b++) of.B[((block * D + a) * D + b) * LANES + m] = inverse(a, b);
+      if (of.needs_correction()) of.columns.set(block * LANES + m, LAST, nsum[n]);
+    }
+  }
+};
+
+/* ----------------------------------------------------------------------
+   partners have new local indices: everything that is constant between two
+   such moments
+------------------------------------------------------------------------- */
 
 template <int D>
 void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
 {
   Base::find_image_candidates(p, list, p.xref, reach);
-  Base::size_rows(p, list);
-  place_references(p, list);
-  const std::size_t n = pairs.j.size();
-  if (opt.hourglass > 0.0) damp.resize(n);
-  nearness.resize(n);
-  if (needs_correction()) near_weight.resize(n);
-  B.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
-  if (!viscous()) F.resize(static_cast<std::size_t>(p.nlocal) * TENSOR);
-  nsum.assign(p.nlocal, 0.0);
+  place_columns(p, list);
+  columns.resize(end_of_columns, components());
+  const std::vector<double> reference = place_references(p, list);
+  for (std::size_t row = 0; row < column_of.size(); row++)
+    for (int a = 0; a < D && column_of[row] >= 0; a++)
+      columns.set(column_of[row], REFERENCE + a, reference[row * D + a]);
 
+  slots.first.assign(blocks() + 1, 0);
+  slots.near_first.assign(blocks() + 1, 0);
+  std::vector<int> gathered_first(blocks() + 1, 0);
+  each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
+    arranging.count(block, slots.first[block + 1], slots.near_first[block + 1],
+                    gathered_first[block + 1]);
+  });
+  for (int block = 0; block < blocks(); block++) {
+    slots.first[block + 1] += slots.first[block];
+    slots.near_first[block + 1] += slots.near_first[block];
+    gathered_first[block + 1] += gathered_first[block];
+  }
+  size_storage(gathered_first.back());
+  each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
+    arranging.fill(block, gathered_first[block]);
+  });
+}
+
+// call(Arranging, block), one of them per thread
+
+template <int D>
+template <class Call>
+void LagrangianSweeps<D>::each_arranging(const Arranging &first, Call call)
+{
 #if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
+#pragma omp parallel num_threads(nthreads)
 #endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii], start = pairs.first[i];
-    const int nimage = images.any() ? image_first[i + 1] - image_first[i] : 0;
-    const int *image = nimage ? &image_j[image_first[i]] : nullptr;
-    int at = add_pairs(p, i, list.numneigh[i], list.firstneigh[i], true, start);
-    at = add_pairs(p, i, nimage, image, true, at);
-    pairs.nearest[i] = needs_correction() ? at - start : 0;
-    at = add_pairs(p, i, list.numneigh[i], list.firstneigh[i], false, at);
-    at = add_pairs(p, i, nimage, image, false, at);
-    pairs.count[i] = at - start;
-    fill_vectors(i);
-    correct_row(p, i);
+  {
+    Arranging arranging = first;
+#if defined(_OPENMP)
+#pragma omp for schedule(static)
+#endif
+    for (int block = 0; block < blocks(); block++) call(arranging, block);
   }
 }
 
-// the last pair again, without weight
-
-template <int D> void LagrangianSweeps<D>::fill_vectors(int i)
+template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
 {
-  const int n = pairs.count[i], last = pairs.first[i] + n - 1;
-  for (int at = last + 1; at < pairs.first[i] + whole_vectors(n); at++) {
-    pairs.j[at] = pairs.j[last];
-    pairs.factor[at] = 0.0;
-    nearness[at] = nearness[last];
-  }
+  const std::size_t pairs = static_cast<std::size_t>(slots.first.back()) * LANES;
+  const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
+  slots.offset.resize(slots.first.back());
+  slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);
+  slots.count.assign(end_of_own, 0);
+  slots.factor.assign(pairs, 0.0);
+  slots.nearness.assign(pairs, 0.0);
+  near_weight.assign(near, 0.0);
+  if (safe()) near_pull.assign(near, 0.0);
+  if (opt.hourglass > 0.0) damp.assign(pairs, 0.0);
+  B.resize(static_cast<std::size_t>(end_of_own) * D * D);
+  if (!viscous()) F.resize(static_cast<std::size_t>(end_of_own) * D * D);
+  mu_max.assign(end_of_own, 0.0);
+  if (this->keeps_heat) early.assign(end_of_own, 0.0);
+  weights_known = false;
 }
 
-// m_j Wbar(X_ij)
-
-template <int D> double LagrangianSweeps<D>::mass_wbar(const Particles &p, int i, int j) const
+template <int D> int LagrangianSweeps<D>::neighbor_count(int i) const
 {
-  const double near_i = opt.hbar * types[p.type[i]].spacing;
-  const double near_j = opt.hbar * types[p.type[Base::source_of(j)]].spacing;
-  return Base::wbar_mass(reference_separation(i, j).norm(), kin(j)[Kin::MASS], near_i, near_j);
-}
-
-// B_i and, for the acceleration correction, m_j Wbar(X_ij) of pairs and n_i, their sum
-
-template <int D> void LagrangianSweeps<D>::correct_row(const Particles &p, int i)
-{
-  Tensor<D> M = Tensor<D>::Zero();
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const Vector<D> X = reference_separation(i, pairs.j[k]);
-    M -= pairs.factor[k] * X * X.transpose();
-    if (k >= pairs.first[i] + pairs.nearest[i]) continue;
-    near_weight[k] = mass_wbar(p, i, pairs.j[k]);
-    nsum[i] += near_weight[k];
-  }
-  const bool enough = M.determinant() >= DET_FALLBACK;
-  const Tensor<D> inverse = enough ? Tensor<D>(M.inverse()) : Tensor<D>::Identity();
-  for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++) B[i * TENSOR + Blocks<D>::at(a, b)] = inverse(a, b);
-}
-
-// m_j Wbar of the nearest partners becomes a weight: constant until the partners have new indices
-
-template <int D> void LagrangianSweeps<D>::near_weights(int i)
-{
-  const Pack n_i(str(i)[Str::NSUM]);
-  const int first = pairs.first[i], end = first + pairs.nearest[i];
-  for (int k = first; k < end; k += LANES) {
-    const Pack n_j = pack_of([&](int m) {
-      return str(pairs.j[k + m])[Str::NSUM];
-    });
-    const Pack w = correction_weight(opt.weights, load(&near_weight[k]), n_i, n_j);
-    store(&near_weight[k], where_positive(first_lanes(end - k), w, Pack(0.0)));
-  }
+  return column_of[i] < 0 ? 0 : slots.count[column_of[i]];
 }
 
 /* ----------------------------------------------------------------------
@@ -199,16 +339,43 @@ template <int D> double least_stretch(const Tensor<D> &F)
   return std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
 }
 
-template <int D> Tensor<D> LagrangianSweeps<D>::deformation_gradient(int i) const
+// of one particle among those of a block
+
+template <int D> Tensor<D> LagrangianSweeps<D>::own_tensor(const Rows &tensors, int column)
 {
-  if (!viscous()) return tensor(&F[i * TENSOR]);
-  const double J = kin(i)[Kin::MASS] / (str(i)[Str::RHO] * kin(i)[Kin::VOLUME]);
-  return J * tensor(str(i) + at_C()).inverse().transpose() * tensor(&B[i * TENSOR]);
+  Tensor<D> t;
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++)
+      t(a, b) = tensors[((column / LANES * D + a) * D + b) * LANES + column % LANES];
+  return t;
 }
 
-template <int D> double LagrangianSweeps<D>::step_factor(int i) const
+template <int D>
+Tensor<D> LagrangianSweeps<D>::deformation_gradient(const Particles &p, int column) const
 {
-  return std::min(1.0, std::max(STEP_STRETCH, least_stretch<D>(deformation_gradient(i))));
+  if (!viscous()) return own_tensor(F, column);
+  const int i = own[column];
+  Tensor<D> C;
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) C(a, b) = columns.get(column, at_C() + D * a + b);
+  const double J = p.mass[i] / (columns.get(column, RHO) * p.vref[i]);
+  return J * C.inverse().transpose() * own_tensor(B, column);
+}
+
+template <int D>
+double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &) const
+{
+  double limit = 1.0e300;
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(min : limit)
+#endif
+  for (int column = 0; column < static_cast<int>(own.size()); column++) {
+    const double s = least_stretch<D>(deformation_gradient(p, column));
+    const double unstretched = Base::step_limit(p.type[own[column]], columns.get(column, RHO),
+                                                columns.get(column, SOUND), mu_max[column]);
+    limit = std::min(limit, std::min(1.0, std::max(STEP_STRETCH, s)) * unstretched);
+  }
+  return limit;
 }
 
 /* ----------------------------------------------------------------------
@@ -216,28 +383,37 @@ template <int D> double LagrangianSweeps<D>::step_factor(int i) const
    of each other
 ------------------------------------------------------------------------- */
 
-template <int D> Overload LagrangianSweeps<D>::find_overload(const NeighborRows &list) const
+template <int D> Overload LagrangianSweeps<D>::find_overload(const Particles &p) const
 {
-  int first = list.inum;    // in the list, of those that are beyond it
+  const int n = static_cast<int>(own.size());
+  int first = n;    // of those that are beyond it
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads) reduction(min : first)
 #endif
-  for (int ii = 0; ii < list.inum; ii++)
-    if (ii < first && overload(list.ilist[ii]).kind != Overload::NONE) first = ii;
-  return first < list.inum ? overload(list.ilist[first]) : Overload();
+  for (int column = 0; column < n; column++)
+    if (column < first && overload(p, column).kind != Overload::NONE) first = column;
+  return first < n ? overload(p, first) : Overload();
 }
 
-template <int D> Overload LagrangianSweeps<D>::overload(int i) const
+template <int D> Overload LagrangianSweeps<D>::overload(const Particles &p, int column) const
 {
-  if (pairs.count[i] == 0) return {};
-  const Tensor<D> Fi = deformation_gradient(i);
+  if (slots.count[column] == 0) return {};
+  const int i = own[column], block = column / LANES, lane = column % LANES;
+  const Tensor<D> Fi = deformation_gradient(p, column);
   const double J = Fi.determinant();
   if (!(J > 0.0)) return {Overload::TURNED_OVER, i, J};
   const double s = least_stretch<D>(Fi);
   if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const double X2 = reference_separation(i, pairs.j[k]).squaredNorm();
-    const double x2 = separation(i, pairs.j[k]).squaredNorm();
+  for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
+    if (slots.factor[static_cast<std::size_t>(slot) * LANES + lane] == 0.0) continue;
+    const int other = slots.column(slot, block, lane);
+    double X2 = 0.0, x2 = 0.0;
+    for (int a = 0; a < D; a++) {
+      const double dX = columns.get(column, REFERENCE + a) - columns.get(other, REFERENCE + a);
+      const double dx = columns.get(column, X + a) - columns.get(other, X + a);
+      X2 += dX * dX;
+      x2 += dx * dx;
+    }
     if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
   }
   return {};
@@ -245,9 +421,10 @@ template <int D> Overload LagrangianSweeps<D>::overload(int i) const
 
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
-  const std::size_t doubles =
-      nearness.capacity() + B.capacity() + F.capacity() + nsum.capacity() + damp.capacity();
-  return Base::memory_usage() + static_cast<double>(doubles * sizeof(double));
+  double bytes = columns.memory_usage() + slots.memory_usage();
+  for (const Rows *rows : {&B, &F, &damp, &pull, &near_weight, &near_pull, &mu_max, &early})
+    bytes += static_cast<double>(rows->capacity() * sizeof(double));
+  return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }
 
 }    // namespace

@@ -213,6 +213,13 @@ template <int D> struct TensorSums {
       for (int b = 0; b < D; b++) sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
   }
   Several<D> blocks() const { return blocks(false); }
+  Tensor<D, Pack> tensor() const    // with all lanes as they are
+  {
+    Tensor<D, Pack> t;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) t(a, b) = sum[a][b];
+    return t;
+  }
   // of w = v times a number: half of the components are those of the other half
   void add_symmetric(const Pack *v, const Pack *w)
   {

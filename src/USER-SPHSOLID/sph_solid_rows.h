@@ -43,15 +43,6 @@ template <int D> struct EulerianRow : MotionRow<D> {
   static constexpr int STRIDE = MASS + 4;
 };
 
-// two dimensions: x, v | X, m, V0; three: x, 0 | v, m | X, V0
-
-template <int D> struct LagrangianRow : MotionRow<D> {
-  static constexpr int REFERENCE = 2 * Blocks<D>::VECTOR;    // position in the reference
-  static constexpr int MASS = (D == 2) ? REFERENCE + 2 : REFERENCE - 1;
-  static constexpr int VOLUME = REFERENCE + 3;    // reference volume
-  static constexpr int STRIDE = REFERENCE + 4;
-};
-
 // stress row, filled by the constitutive update and sent to ghosts.
 // force on i from j: K_i K_j (T_i + T_j) grad W.  eulerian, gradient corrected:
 // K = V, T = sigma B^T; plain: K = m, T = sigma/rho^2 (eq. 19).  lagrangian, where

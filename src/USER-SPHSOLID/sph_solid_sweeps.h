@@ -19,6 +19,7 @@
 #include "sph_solid_material.h"
 #include "sph_solid_viscosity.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -72,6 +73,9 @@ struct Particles {
   double *mass, *volume, *rho, *e;    // volume: initial, V0
   double **stress, *epl, *rho_weight;
 
+  // IDs, to sort by while neighbors are new; without them local indices
+  const std::int64_t *id = nullptr;
+
   // lagrangian: reference positions and volumes, box lengths (0: not periodic)
   double **xref = nullptr, *vref = nullptr;
   double period[3] = {0.0, 0.0, 0.0};
@@ -112,6 +116,11 @@ struct HeatDue {
   double drift = 0.0;     // particles have moved by drift v' since the evaluation [time]
 };
 
+// what a particle has to send to its ghosts between two sweeps: what the constitutive update has
+// found, the switch of a viscosity, da of eq. 28, and displacements (D numbers) before heat()
+
+enum class Message { STRESS, SWITCH, VISCOUS, DISPLACEMENT };
+
 class Sweeps {
  public:
   virtual ~Sweeps() = default;
@@ -136,28 +145,25 @@ class Sweeps {
   // physical any more, or -1
   virtual int gradient(const Particles &, const NeighborRows &, double dt) = 0;
 
-  // rows of own particles as neighbors need them, for forward communication
-  virtual int stress_size() const = 0;
-  virtual const double *stress_row(int i) const = 0;
-  virtual void unpack_stress(const Particles &, int i, const double *) = 0;
-  virtual void mirror_stress() = 0;
+  // what neighbors need of own particles, for forward communication: size numbers of particle i
+  virtual int message_size(Message) const = 0;
+  virtual void pack(Message, int i, double *out) const = 0;
+  virtual void unpack(Message, const Particles &, int i, const double *in) = 0;
+  virtual void mirror_stress() = 0;    // to images
 
   // the switch of a viscosity that needs one more sweep for it
   virtual bool sweeps_for_switch() const = 0;
   virtual void find_switch(const Particles &, const NeighborRows &) = 0;
-  virtual double *viscosity_switch(int i) = 0;    // one double
   virtual void mirror_switch() = 0;
 
   // add stress and viscous forces to p.f
   virtual void force(const Particles &, const NeighborRows &) = 0;
 
   virtual bool needs_correction() const = 0;
-  virtual double *viscous_acceleration(int i) = 0;    // D doubles, da of eq. 28
   virtual void correction(const Particles &, const NeighborRows &) = 0;
 
   // heat[i] = energy the pair forces give to particle i while every particle
-  // moves by u[i] (own and ghost rows set by set_displacement)
-  virtual double *displacement(int i) = 0;    // D doubles
+  // moves by its displacement, of own and ghosts set by unpack()
   virtual void heat(const Particles &, const NeighborRows &, double *heat, bool book) = 0;
 
   virtual bool can_keep_heat() const { return false; }
@@ -174,7 +180,7 @@ class Sweeps {
   virtual double memory_usage() const = 0;
 
   // the particle that the frame can follow no further, if there is one
-  virtual Overload find_overload(const NeighborRows &) const { return {}; }
+  virtual Overload find_overload(const Particles &) const { return {}; }
 };
 
 // one per frame and dimension, for create()

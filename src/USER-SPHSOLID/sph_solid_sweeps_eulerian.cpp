@@ -17,11 +17,10 @@ namespace {
 // rod too early (0.03 of its kinetic energy at h = 1.3 spacings, 0.018 with 0.1)
 constexpr double DET_FALLBACK = 0.1;
 
-template <int D> class EulerianSweeps : public SweepsBase<D, EulerianRow<D>> {
+template <int D> class EulerianSweeps : public SweepsBase<D> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      SweepsBase<D, EulerianRow<D>>(
-          o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
+      SweepsBase<D>(o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
   {
   }
 
@@ -37,16 +36,14 @@ template <int D> class EulerianSweeps : public SweepsBase<D, EulerianRow<D>> {
   }
 
  private:
-  using Base = SweepsBase<D, EulerianRow<D>>;
-  using Base::da, Base::da_stride, Base::extra, Base::image_first, Base::image_j, Base::images,
-      Base::keeps_pairs, Base::kin, Base::krow, Base::lonely, Base::mu_max, Base::near_weight,
-      Base::needs_correction, Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow,
-      Base::str, Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull;
+  using Base = SweepsBase<D>;
+  using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
+      Base::kin, Base::krow, Base::lonely, Base::mu_max, Base::near_weight, Base::needs_correction,
+      Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow, Base::str,
+      Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull;
   using typename Base::Kin;
   using typename Base::Str;
 
-  double own_weight(int i) const override { return kin(i)[Kin::MASS]; }
-  double switch_weight(int j) const override { return kin(j)[Kin::VOLUME]; }
   double weight_volume(const Particles &p, int i) const override
   {
     return p.mass[i] / p.rho_weight[i];
@@ -416,7 +413,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
   for (int a = 0; a < D; a++) {
     p.f[i][a] += K * folded<D>(stress, a);
     if (VISCOUS && correct)
-      da[i * da_stride + a] = viscous_sum[a];
+      da[i * VECTOR + a] = viscous_sum[a];
     else if (VISCOUS)
       p.f[i][a] += mass * viscous_sum[a];
   }
@@ -442,7 +439,7 @@ void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double
 
 template <int D>
 template <bool PULL, bool TENSILE>
-typename SweepsBase<D, EulerianRow<D>>::Power EulerianSweeps<D>::pair_power(int i) const
+typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
   constexpr int R_AT = extra(0);
   const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
@@ -466,7 +463,7 @@ typename SweepsBase<D, EulerianRow<D>>::Power EulerianSweeps<D>::pair_power(int 
   }
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
-  return {si[Str::K] * stress, 0.5 * own_weight(i) * Motion<D>::v_dot_x(viscous), 0.0};
+  return {si[Str::K] * stress, 0.5 * kin(i)[Kin::MASS] * Motion<D>::v_dot_x(viscous), 0.0};
 }
 
 template <int D>

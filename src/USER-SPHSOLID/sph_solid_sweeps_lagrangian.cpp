@@ -6,6 +6,8 @@
 #include "sph_solid_lagrangian.h"
 #include "sph_solid_lagrangian_heat.h"
 #include "sph_solid_lagrangian_partners.h"
+#include "sph_solid_lagrangian_rows.h"
+#include "sph_solid_lagrangian_viscous.h"
 
 #include <atomic>
 
@@ -16,187 +18,164 @@ namespace {
 ------------------------------------------------------------------------- */
 
 template <int D>
-template <bool LATE>
-void LagrangianSweeps<D>::accumulate(int i, Sums &sums, int lane) const
+template <typename LagrangianSweeps<D>::Work WORK>
+typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) const
 {
-  const double *kall = krow.data();
-  const Motion<D> own(kin(i));
-  const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
-  Several<D> displacement = Several<D>::zero(), velocity = Several<D>::zero();
-  LateHeat heat;
-  const int start = pairs.first[i], end_nearest = start + pairs.nearest[i];
-  if (LATE) {
-    heat.drift = Motion<D>::drift_of(this->due.drift);
-    heat.viscous = heat.corrected = heat.hourglass = Pack(0.0);
-    if (needs_correction()) heat.kick = Motion<D>(&da[i * da_stride]);
-  }
-
-  for (int k = start, end = start + pairs.count[i]; k < end; k += LANES) {
-    const int *j = &pairs.j[k];
-    prefetch_pairs(k);
-    if (LATE) prefetch(damp.data() + k + PAIRS_AHEAD, LANES);
-    const Spread factor(load(&pairs.factor[k]));
-    Motion<D> d[BLOCK];
-    for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, Kin::STRIDE);
-      d[m] = Motion<D>(kj) - own;
-      const Pack X = Xi - load(kj + Kin::REFERENCE);
-      const Several<D> g = spread<D>(X) * factor[m];          // V0_j g_ij
-      add_outer(displacement, d[m].expanded_x_plus(X), g);    // x_j - x_i + X_i - X_j = u_j - u_i
-      add_outer(velocity, d[m].expanded_v(), g);
+  const double *i = columns.at(block * LANES), *factor = slots.factor.data();
+  const int near_end = slots.first[block] + slots.nearest(block);
+  TensorSums<D> displacement, velocity;
+  Sums sums;
+  Scratch scratch;
+  sums.viscous = sums.corrected = sums.hourglass = Pack(0.0);
+  for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
+    const double *j = neighbors(s, block, scratch);
+    const Components<D> d = motion(i, j);
+    const Pack F = load(factor + s * std::ptrdiff_t(LANES));
+    Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
+    difference(i, j, REFERENCE, g);
+    for (int a = 0; a < D; a++) {
+      u[a] = d.x[a] - g[a];
+      g[a] = -(F * g[a]);
     }
-    if (LATE) add_late_pairs(j, k, k < end_nearest, d, heat);
+    displacement.add(u, g);
+    velocity.add(d.v, g);
+    if (WORK != Work::NONE) add_work<WORK>(s, block, s < near_end, i, j, d, sums);
   }
-  sums.displacement[lane] = displacement;
-  sums.velocity[lane] = velocity;
-  if (!LATE) return;
-  const double half = 0.5 * kin(i)[Kin::VOLUME];
-  sums.viscous[lane] = half * Motion<D>::v_dot_x(heat.viscous) -
-      0.25 * kin(i)[Kin::MASS] * Motion<D>::v_dot_x(heat.corrected);
-  sums.hourglass[lane] = -half * Motion<D>::v_dot_x(heat.hourglass);
+  sums.displacement = displacement.tensor();
+  sums.velocity = velocity.tensor();
+  return sums;
 }
 
 template <int D>
-int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, double dt)
+int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &, double dt)
 {
   std::atomic<int> bad(-1);
-  each_batch(list, [&](const typename Base::Batch &batch, int n, typename Base::Totals &totals) {
-    const bool late = this->due.factor > 0.0;
-    const int unphysical = late ? update<true>(p, batch, n, dt, totals)
-                                : update<false>(p, batch, n, dt, totals);
+  const bool late = this->due.factor > 0.0;
+  const Totals totals = each_block([&](int block, const Batch &batch, int n, Totals &t) {
+    const int unphysical = late ? update<true>(p, block, batch, n, dt, t)
+                                : update<false>(p, block, batch, n, dt, t);
     if (unphysical >= 0) bad = unphysical;
   });
+  enter_due(totals);
   return bad;
 }
 
-// call(batch, particles of it that count, totals of the heat that is due); after it nothing is due
+// call(block, its particles, how many of them there are, totals); the totals of all blocks
 
 template <int D>
 template <class Call>
-void LagrangianSweeps<D>::each_batch(const NeighborRows &list, Call call)
+typename LagrangianSweeps<D>::Totals LagrangianSweeps<D>::each_block(Call call)
 {
+  const NeighborRows list = own_list();
   double plastic = 0.0, viscous = 0.0, standard = 0.0, hourglass = 0.0;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads) \
     reduction(+ : plastic, viscous, standard, hourglass)
 #endif
-  for (int first = 0; first < list.inum; first += LANES) {
-    typename Base::Totals t;
-    call(typename Base::Batch(list, first), std::min(LANES, list.inum - first), t);
+  for (int block = 0; block < blocks(); block++) {
+    Totals t;
+    call(block, Batch(list, block * LANES), particles_of(block), t);
     plastic += t.plastic;
     viscous += t.viscous;
     standard += t.standard;
     hourglass += t.hourglass;
   }
-  Base::enter(early_totals, this->due.factor);
-  Base::enter({plastic, viscous, standard, hourglass}, this->due.factor);
-  early_totals = {};
-  this->due = {};
+  return {plastic, viscous, standard, hourglass};
 }
 
-// constitutive update of a batch and what their neighbors read; the
+// behind the last particle the last one again
+
+template <int D> void LagrangianSweeps<D>::repeat_last(Sums &sums, int n)
+{
+  auto repeat = [n](Pack &v) {
+    const double last = v[n - 1];
+    v = where_positive(first_lanes(n), v, Pack(last));
+  };
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) {
+      repeat(sums.displacement(a, b));
+      repeat(sums.velocity(a, b));
+    }
+  repeat(sums.viscous);
+  repeat(sums.corrected);
+  repeat(sums.hourglass);
+}
+
+// constitutive update of a block and what their neighbors read; the
 // index of one whose state is not physical, or -1
 
 template <int D>
 template <bool LATE>
-int LagrangianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, int n,
-                                double dt, typename Base::Totals &totals)
+int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batch, int n, double dt,
+                                Totals &totals)
 {
-  Base::prefetch_points(p, batch);
-  const std::ptrdiff_t next = (batch.i[0] + LANES) * static_cast<std::ptrdiff_t>(TENSOR);
-  prefetch(B.data() + next, LANES * TENSOR);
-  Sums sums;
-  for (int m = 0; m < LANES; m++) accumulate<LATE>(batch.i[m], sums, m);
-  add_blocks<D>(sums.displacement);
-  add_blocks<D>(sums.velocity);
-  Several<D> own[BLOCK];
-  for (int m = 0; m < BLOCK; m++) own[m] = load_tensor<D>(batch.rows(B.data(), m, TENSOR));
-
-  using Tensors = Tensor<D, Pack>;
-  const Tensors correction = lanes_of<D>(own);
-  const Tensors Fi = Tensors::Identity() + lanes_of<D>(sums.displacement) * correction;
-  const Tensors velocity = lanes_of<D>(sums.velocity), rate = velocity * correction;
-  if (!viscous()) {
-    from_lanes<D>(Fi, own);
-    for (int m = 0; m < BLOCK; m++) store_tensor(batch.rows(F.data(), m, TENSOR), own[m]);
-  }
-
-  if (LATE) add_late_heat(p, batch, n, velocity, sums, totals);
+  Sums sums = accumulate < LATE ? Work::DUE : Work::NONE > (block);
+  if (n < LANES) repeat_last(sums, n);
+  const Tensors correction = load_tensors(B, block);
+  const Tensors Fi = Tensors::Identity() + sums.displacement * correction;
+  const Tensors rate = sums.velocity * correction;
+  if (!viscous()) store_tensors(F, block, Fi);
+  if (LATE) add_late_heat(p, block, batch, n, sums, totals);
 
   Tensors L = Tensors::Zero();
   if (dt > 0.0) L = rate * Tensors(Fi - Pack(0.5 * dt) * rate).inverse();
   const auto points = Base::update_points(p, batch, L, dt);
   totals.plastic += Base::sum_of_first(points.plastic_work, n);
 
-  const Pack rho = points.state.rho, V0 = batch.load(p.vref), J = batch.load(p.mass) / (rho * V0);
+  const Pack rho = points.state.rho, c = square_root(maximum(points.eos.c2, Pack(0.0)));
+  const Pack V0 = batch.load(p.vref), J = batch.load(p.mass) / (rho * V0);
   const Tensors inverse = Fi.inverse(), C = J * inverse.transpose() * correction.transpose();
-  const Pack h = Base::of_types(p, batch, [&](int t) {
+  const Tensors sigma_C = points.sigma * C;
+  if (this->keeps_heat)
+    store(&early[block * LANES], V0 * sums.velocity.cwiseProduct(sigma_C).sum());
+
+  const int column = block * LANES;
+  auto of_types = [&](auto value) {
+    return Base::of_types(p, batch, value);
+  };
+  const Pack h = of_types([&](int t) {
     return types[t].h;
   });
-  Pack impedance = 0.0;
-  if (keeps_rates(opt)) {
-    const Pack shear = Base::of_types(p, batch, [&](int t) {
+  store_tensor(column, T, sigma_C);
+  columns.store(column, RHO, rho);
+  columns.store(column, SOUND, c);
+  if (keeps_rates()) {
+    const Pack shear = of_types([&](int t) {
       return types[t].material.shear;
     });
-    impedance =
-        rho * h * square_root(maximum(points.eos.c2, Pack(0.0)) + 4.0 * shear / (3.0 * rho));
+    columns.store(column, IMPEDANCE, rho * h * square_root(c * c + 4.0 * shear / (3.0 * rho)));
+    store_tensor(column, at_rate(), rate);
   }
-  Pack last = batch.load(nsum.data());
+  if (viscous()) store_tensor(column, at_C(), C);
   if (needs_switch(pair_form(opt.viscosity)))
-    last = Base::own_switch(rate * inverse, square_root(maximum(points.eos.c2, Pack(0.0))), h);
-  const Tensors T = points.sigma * C;
-  if (this->keeps_heat) batch.store(early.data(), V0 * velocity.cwiseProduct(T).sum());
-  Base::write_rows(batch, points, T, impedance, last);
-  if (viscous()) Base::write_tensors(batch, at_C(), C);
-  if (keeps_rates(opt)) Base::write_tensors(batch, at_rate(), rate);
+    columns.store(column, LAST, Base::own_switch(rate * inverse, c, h));
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
-}
-
-template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
-{
-  Base::sum_switch(p, list, at_rate(), [&](int i, int k, const Motion<D> &) {
-    const Addresses Xj(krow.data() + Kin::REFERENCE, &pairs.j[k], Kin::STRIDE);
-    return spread<D>(load_block(kin(i) + Kin::REFERENCE) - load(Xj));
-  });
 }
 
 /* ----------------------------------------------------------------------
    force sweep
 ------------------------------------------------------------------------- */
 
-template <int D> void LagrangianSweeps<D>::force(const Particles &p, const NeighborRows &list)
+template <int D> void LagrangianSweeps<D>::force(const Particles &p, const NeighborRows &)
 {
   with_form(pair_form(opt.viscosity), [&](auto form) {
     if (opt.hourglass > 0.0)
-      force_rows<form(), true>(p, list);
+      force_blocks<form(), true>(p);
     else
-      force_rows<form(), false>(p, list);
+      force_blocks<form(), false>(p);
   });
 }
 
 template <int D>
 template <PairForm FORM, bool HOURGLASS>
-void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
+void LagrangianSweeps<D>::force_blocks(const Particles &p)
 {
-  const bool heat = this->keeps_heat, viscous_heat = Base::heats_pairs();
-  double viscous = 0.0, hourglass = 0.0;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, hourglass)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    const typename Base::Power power = force_row<FORM, HOURGLASS>(p, i);
-    if (FORM != PairForm::NONE && lonely) Base::lonely_pairs(p, i);
-    if (!heat) continue;
-    if (needs_correction())
-      for (int a = 0; a < D; a++) da[i * da_stride + VECTOR + a] = kin(i)[Kin::V + a];
-    const double q = viscous_heat ? power.viscous : 0.0;
-    early[i] += q + power.hourglass;
-    viscous += q;
-    hourglass += power.hourglass;
-  }
-  early_totals.viscous += viscous;
-  early_totals.hourglass += hourglass;
+  const Totals totals = each_block([&](int block, const Batch &batch, int n, Totals &t) {
+    force_block<FORM, HOURGLASS>(p, block, batch, n, t);
+  });
+  early_totals.viscous += totals.viscous;
+  early_totals.standard += totals.viscous;
+  early_totals.hourglass += totals.hourglass;
 }
 
 // f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass.
@@ -208,99 +187,100 @@ void LagrangianSweeps<D>::force_rows(const Particles &p, const NeighborRows &lis
 
 template <int D>
 template <PairForm FORM, bool HOURGLASS>
-typename SweepsBase<D, LagrangianRow<D>>::Power LagrangianSweeps<D>::force_row(const Particles &p,
-                                                                               int i)
+void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch &batch, int n,
+                                      Totals &totals)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
-  constexpr int C_AT = extra(0), R_AT = extra(VISCOUS ? 1 : 0),
-                STRIDE = extra((VISCOUS ? 1 : 0) + (RATES ? 1 : 0));    // of a stress row
-  const double *kall = krow.data(), *sall = srow.data(), *si = sall + std::ptrdiff_t(i) * STRIDE;
-  const double *near = nearness.data(), *factors = pairs.factor.data();
+  constexpr int C_AT = FIXED, R_AT = C_AT + (VISCOUS ? D * D : 0);
+  const double *i = columns.at(block * LANES);
+  const double *factor = slots.factor.data(), *near = slots.nearness.data();
   double *damping = damp.data(), *pulls = pull.data();
-  const Motion<D> own(kin(i));
-  const Pack Xi = load_block(kin(i) + Kin::REFERENCE);
-  const Several<D> T = load_tensor<D>(si), C = load_tensor<D>(VISCOUS ? si + C_AT : si),
-                   rate = load_tensor<D>(RATES ? si + R_AT : si);
-  const bool keep = keeps_pairs(), correct = needs_correction();
-  // in a correction, pairs that touch a particle without nearest neighbors
-  // are left to lonely_pairs()
-  const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
+  const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double a1 = opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
-  Pack stress = zero, viscous[D], hourglass[D], mu_least = zero;
-  Pack viscous_power = zero, hourglass_power = zero;
-  for (int a = 0; a < D; a++) viscous[a] = hourglass[a] = zero;
+  const Pack zero(0.0), one(1.0);
+  Pack moment[D], stress[D], central[D], replaced[D];    // sums over pairs
+  Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
+  for (int a = 0; a < D; a++) moment[a] = stress[a] = central[a] = replaced[a] = zero;
+  Scratch scratch;
 
-  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
-    const int *j = &pairs.j[k];
-    Motion<D> d[BLOCK];
-    Pack along[BLOCK], l_i[BLOCK], l_j[BLOCK], state[BLOCK];    // lanes yet to be summed
-    prefetch_pairs(k);
-    if (VISCOUS) prefetch(near + k + PAIRS_AHEAD, LANES);
-    if (HOURGLASS) prefetch(damping + k + PAIRS_AHEAD, LANES);
-    const Pack F = load(factors + k);
-    const Spread factor(F);
-    for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, Kin::STRIDE), sj(sall, j + m, STRIDE);
-      const Several<D> X = spread<D>(Xi - load(kj + Kin::REFERENCE));
-      stress = multiply_add(factor[m], times(T + load_tensor<D>(sj), X), stress);
-      if (!VISCOUS && !HOURGLASS) continue;
-      d[m] = own - Motion<D>(kj);
-      const Pack x = d[m].expanded_x();
-      state[m] = load(sj + Str::K);
-      if (VISCOUS) along[m] = x * times(C + load_tensor<D>(sj + C_AT), X);
-      if (BOTH) {
-        l_i[m] = x * times(rate, X);
-        l_j[m] = x * times(load_tensor<D>(sj + R_AT), X);
-      } else if (RATES)
-        l_i[m] = x * times(rate + load_tensor<D>(sj + R_AT), X);
+  for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
+    const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
+    const double *j = neighbors(s, block, scratch);
+    const Pack F = load(factor + k);
+    Pack X[D];
+    difference(i, j, REFERENCE, X);
+    for (int a = 0; a < D; a++) {    // T_i sum F X + sum F T_j X
+      Pack t = component(j, T + D * a) * X[0];
+      for (int b = 1; b < D; b++) t = multiply_add(component(j, T + D * a + b), X[b], t);
+      stress[a] = multiply_add(F, t, stress[a]);
     }
+    for (int a = 0; a < D; a++) moment[a] = multiply_add(F, X[a], moment[a]);
     if (!VISCOUS && !HOURGLASS) continue;
 
-    const Components<D> apart = Motion<D>::components(d);
-    const Pack r2 = apart.x_dot_x(), vr = apart.v_dot_x(), inv_r2 = 1.0 / r2;
-    transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
+    // lanes without a partner may lie on what they read
+    const Components<D> d = motion(i, j);
+    const Pack r2 = where_positive(-F, d.x_dot_x(), one), vr = d.v_dot_x(), inv_r2 = 1.0 / r2;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
-    if (RATES) li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
-    if (BOTH) lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
+    if (BOTH) {
+      li = along(i, R_AT, d.x, X);
+      lj = along(j, R_AT, d.x, X);
+    } else if (RATES)
+      li = along_sum(i, j, R_AT, d.x, X);
     if (HOURGLASS) {
-      const Pack impedance = damping_share * (si[Str::K] + state[0]);
-      const Pack s = impedance * F * (vr - 0.5 * (li + lj)) * inv_r2;
-      store(damping + k, s);
-      hourglass_power = multiply_add(s, vr, hourglass_power);
-      apart.add_to(hourglass, s);
+      const Pack impedance = damping_share * (component(i, IMPEDANCE) + component(j, IMPEDANCE));
+      const Pack q = impedance * F * (vr - 0.5 * (li + lj)) * inv_r2;
+      store(damping + k, q);
+      hourglass_power = multiply_add(q, vr, hourglass_power);
+      d.add_to(central, q);
     }
     if (VISCOUS) {
-      const Pack on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Pack(1.0);
+      const Pack on = needs_switch(FORM) ? 0.5 * (component(i, LAST) + component(j, LAST)) : one;
       const Pack jump = jump_left<FORM>(vr, li, lj, on);
       const Pack mu = minimum(jump, zero) * load(near + k) * square_root(r2) * inv_r2;
-      const Pack rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
+      const Pack rho = 0.5 * (component(i, RHO) + component(j, RHO));
+      const Pack c = 0.5 * (component(i, SOUND) + component(j, SOUND));
       Pack Pi = rho * mu * (a2 * mu - a1 * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
-      const Pack G = 0.5 * F * sums(along[0], along[1], along[2], along[3]);
-      Pack s = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
+      const Pack G = 0.5 * F * along_sum(i, j, C_AT, d.x, X);
+      const Pack q = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
       if (keep) {
-        store(pulls + k, s);
-        viscous_power = multiply_add(s, vr, viscous_power);
+        store(pulls + k, q);
+        viscous_power = multiply_add(heated_pull(i, j, q), vr, viscous_power);
       }
-      if (correct) s = where_positive(state[3], ok_i * s, zero);
-      apart.add_to(viscous, -s);
+      const Pack whole = alone ? whole_pull(i, j, q) : zero;
+      if (alone) d.add_to(central, -whole);
+      d.add_to(replaced, alone ? whole - q : -q);
       mu_least = minimum(mu_least, mu);
     }
   }
 
-  const double V0 = kin(i)[Kin::VOLUME], per_mass = V0 / kin(i)[Kin::MASS];
-  stress = sum_of_blocks(stress);
-  const Pack viscous_sum = sums_of<D>(viscous), hourglass_sum = sums_of<D>(hourglass);
+  const Pack V0 = batch.load(p.vref);
   for (int a = 0; a < D; a++) {
-    p.f[i][a] += V0 * (folded<D>(stress, a) + hourglass_sum[a]);
-    if (VISCOUS && correct)
-      da[i * da_stride + a] = per_mass * viscous_sum[a];
-    else if (VISCOUS)
-      p.f[i][a] += V0 * viscous_sum[a];
+    for (int b = 0; b < D; b++)
+      stress[a] = multiply_add(component(i, T + D * a + b), moment[b], stress[a]);
+    stress[a] += central[a];
+    if (VISCOUS && !correct) stress[a] += replaced[a];
+    stress[a] *= V0;
   }
-  mu_max[i] = -least(mu_least);
-  return {0.0, 0.5 * V0 * sum(viscous_power), -0.5 * V0 * sum(hourglass_power)};
+  if (VISCOUS && correct) {
+    const Pack per_mass = V0 / batch.load(p.mass);
+    for (int a = 0; a < D; a++) columns.store(block * LANES, at_da() + a, per_mass * replaced[a]);
+  }
+  add_forces(p, batch, n, stress);
+  store(&mu_max[block * LANES], -mu_least);
+  if (!this->keeps_heat) return;
+  const Pack viscous_heat = 0.5 * V0 * viscous_power, hourglass_heat = -0.5 * V0 * hourglass_power;
+  store(&early[block * LANES], load(&early[block * LANES]) + viscous_heat + hourglass_heat);
+  totals.viscous += Base::sum_of_first(viscous_heat, n);
+  totals.hourglass += Base::sum_of_first(hourglass_heat, n);
+}
+
+template <int D>
+void LagrangianSweeps<D>::add_forces(const Particles &p, const Batch &batch, int n, const Pack *f)
+{
+  for (int m = 0; m < n; m++)
+    for (int a = 0; a < D; a++) p.f[batch.i[m]][a] += f[a][m];
 }
 
 }    // namespace

@@ -10,26 +10,13 @@
 
 namespace SPHSolid {
 
-/* ----------------------------------------------------------------------
-   switches of the viscosity.  That of "front" is how much of the deformation of
-   a particle is compression, known from its own velocity gradient, times how
-   much of the motion around it is not resolved, which takes one more sweep
-------------------------------------------------------------------------- */
-
-template <int D, class Row>
-Pack SweepsBase<D, Row>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
-{
-  if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Pack>(L);
-  return balsara_switch<D, Pack>(L, c, h);
-}
-
 // at_rate: where in a row the tensor R is that predicts the jump x_ij.R along(i, k, d)
 // of pair k, d being the difference of motion
 
-template <int D, class Row>
+template <int D>
 template <class Along>
-void SweepsBase<D, Row>::sum_switch(const Particles &p, const NeighborRows &list, int at_rate,
-                                    Along along)
+void SweepsBase<D>::sum_switch(const Particles &p, const NeighborRows &list, int at_rate,
+                               Along along)
 {
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
@@ -52,7 +39,7 @@ void SweepsBase<D, Row>::sum_switch(const Particles &p, const NeighborRows &list
         l_j[m] = d[m].expanded_x() * times(load_tensor<D>(sj + at_rate), X);
       }
       const Pack weight = pack_of([&](int m) {
-        return -switch_weight(j[m]) * pairs.factor[k + m];
+        return -kin(j[m])[Kin::VOLUME] * pairs.factor[k + m];
       });
       const Components<D> apart = Motion<D>::components(d);
       const Pack r2 = apart.x_dot_x(), vr = apart.v_dot_x();
@@ -62,33 +49,29 @@ void SweepsBase<D, Row>::sum_switch(const Particles &p, const NeighborRows &list
       rest2 += w * rest * rest;
       linear2 += 0.5 * w * (li * li + lj * lj);
     }
-    *viscosity_switch(i) *= unresolved_share(sum(rest2), sum(linear2));
+    str(i)[Str::SWITCH] *= unresolved_share(sum(rest2), sum(linear2));
   }
 }
 
-template <int D, class Row> void SweepsBase<D, Row>::mirror_switch()
+template <int D> void SweepsBase<D>::mirror_switch()
 {
   for (int k = 0; k < nrows - nparticles; k++)
-    *viscosity_switch(nparticles + k) = *viscosity_switch(images.source_of(k));
+    str(nparticles + k)[Str::SWITCH] = str(images.source_of(k))[Str::SWITCH];
 }
 
 /* ----------------------------------------------------------------------
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D, class Row>
-void SweepsBase<D, Row>::correction(const Particles &p, const NeighborRows &list)
+template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
 {
-  mirror_vectors(da.data(), da_stride);
-  if (this->keeps_heat)    // own particles have it from the force sweep
-    for (int i = nown; i < nrows; i++) std::copy(u(i), u(i) + D, &da[i * da_stride + VECTOR]);
+  mirror_vectors(da.data(), VECTOR);
   if (safe()) near_pull.resize(near_weight.size());
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
 #endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
-    if (constant_weights() && !weights_known) near_weights(i);
     Pack sum = 0.0;
     if (safe())
       sum = central_correction(i);
@@ -99,17 +82,16 @@ void SweepsBase<D, Row>::correction(const Particles &p, const NeighborRows &list
     sum = sum_of_blocks(sum);
     for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * few_summed<D>(sum, a);
   }
-  weights_known = constant_weights();
 }
 
 // the same with weights safe; the sum in the first lanes
 
-template <int D, class Row> Pack SweepsBase<D, Row>::central_correction(int i)
+template <int D> Pack SweepsBase<D>::central_correction(int i)
 {
   double sum[LANES] = {};
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++) {
     const int j = pairs.j[k];
-    const double *dai = &da[i * da_stride], *daj = &da[j * da_stride];
+    const double *dai = &da[i * VECTOR], *daj = &da[j * VECTOR];
     const Vector<D> x = separation(i, j);
     double ax = 0.0, vx = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {
@@ -129,9 +111,9 @@ template <int D, class Row> Pack SweepsBase<D, Row>::central_correction(int i)
    correction, expanded
 ------------------------------------------------------------------------- */
 
-template <int D, class Row>
+template <int D>
 template <class OfRow>
-void SweepsBase<D, Row>::sum_virial(const NeighborRows &list, double *six, OfRow of_row) const
+void SweepsBase<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_row) const
 {
   const double *kall = krow.data();
   const int *neighbor = pairs.j.data();
@@ -165,13 +147,12 @@ void SweepsBase<D, Row>::sum_virial(const NeighborRows &list, double *six, OfRow
 
 // what the correction puts on i for its nearest neighbor in a pair, expanded
 
-template <int D, class Row>
-inline Pack SweepsBase<D, Row>::near_force(int i, int pair, const Motion<D> &d) const
+template <int D> inline Pack SweepsBase<D>::near_force(int i, int pair, const Motion<D> &d) const
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
   if (safe()) return Pack(half * near_pull[pair]) * d.expanded_x();
-  const Pack difference = load_expanded<D>(Addresses(&da[i * da_stride])) -
-      load_expanded<D>(Addresses(&da[pairs.j[pair] * da_stride]));
+  const Pack difference = load_expanded<D>(Addresses(&da[i * VECTOR])) -
+      load_expanded<D>(Addresses(&da[pairs.j[pair] * VECTOR]));
   return Pack(half * near_weight[pair]) * difference;
 }
 
@@ -182,9 +163,9 @@ inline Pack SweepsBase<D, Row>::near_force(int i, int pair, const Motion<D> &d) 
 
 // of_row(i): the Power of the pairs of i
 
-template <int D, class Row>
+template <int D>
 template <class OfRow>
-void SweepsBase<D, Row>::sum_heat(const NeighborRows &list, double *heat, bool book, OfRow of_row)
+void SweepsBase<D>::sum_heat(const NeighborRows &list, double *heat, bool book, OfRow of_row)
 {
   mirror_vectors(&krow[Kin::V], Kin::STRIDE);
   double viscous = 0.0, standard = 0.0, damped = 0.0;
@@ -213,40 +194,32 @@ void SweepsBase<D, Row>::sum_heat(const NeighborRows &list, double *heat, bool b
     viscous += q;
     damped += power.hourglass;
   }
-  if (book) enter({0.0, viscous, standard, damped}, 1.0);
-}
-
-template <int D, class Row> void SweepsBase<D, Row>::enter(const Totals &t, double factor)
-{
-  ledger.plastic_work += t.plastic;
-  ledger.viscous_heat += factor * t.viscous;
-  ledger.hourglass += factor * t.hourglass;
-  if (needs_correction()) ledger.returned += factor * (t.standard - t.viscous);
+  if (book) Base::enter({0.0, viscous, standard, damped}, 1.0);
 }
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D, class Row> double SweepsBase<D, Row>::standard_power(int i, const double *u) const
+template <int D> double SweepsBase<D>::standard_power(int i, const double *u) const
 {
   if (opt.heating != Heating::COMPATIBLE) return 0.0;
   double power = 0.0;
-  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * da_stride + a] * u[a];
+  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * VECTOR + a] * u[a];
   return power;
 }
 
 // the force coefficient of pairs that no correction replaces
 
-template <int D, class Row> double SweepsBase<D, Row>::whole_pull(int i, int pair) const
+template <int D> double SweepsBase<D>::whole_pull(int i, int pair) const
 {
   if (!keeps_pairs()) return 0.0;
   if (needs_correction() && !is_lonely(i) && !is_lonely(pairs.j[pair])) return 0.0;
-  return own_weight(i) * pull[pair];
+  return kin(i)[Kin::MASS] * pull[pair];
 }
 
 // standard viscosity of the pairs that the correction must not touch: one of
 // the two has no nearest neighbor.  Symmetric, so momentum stays exact
 
-template <int D, class Row> void SweepsBase<D, Row>::lonely_pairs(const Particles &p, int i)
+template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
 {
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const double s = whole_pull(i, k);
@@ -258,9 +231,9 @@ template <int D, class Row> void SweepsBase<D, Row>::lonely_pairs(const Particle
 // half the work of the pairs that a compatible correction leaves alone; du(j, a), dx(j, a):
 // components of u_i - u_j and x_i - x_j
 
-template <int D, class Row>
+template <int D>
 template <class Moved, class Apart>
-double SweepsBase<D, Row>::lonely_power(int i, Moved du, Apart dx) const
+double SweepsBase<D>::lonely_power(int i, Moved du, Apart dx) const
 {
   if (!lonely || opt.heating != Heating::COMPATIBLE) return 0.0;
   double sum = 0.0;
@@ -278,7 +251,7 @@ double SweepsBase<D, Row>::lonely_power(int i, Moved du, Apart dx) const
 // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
 // safe: half the work of each central pair force, none of it negative for u = v
 
-template <int D, class Row> double SweepsBase<D, Row>::heat_correction(int i) const
+template <int D> double SweepsBase<D>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
   const bool shepard = opt.weights == Weights::SHEPARD;
@@ -294,7 +267,7 @@ template <int D, class Row> double SweepsBase<D, Row>::heat_correction(int i) co
   each_few(i, [&](Pack w, const int *j, Pack difference) {
     const Pack uj = load_few<D>(u(0), j, Kin::STRIDE);
     if (printed)
-      power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, da_stride);
+      power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, VECTOR);
     else if (shepard)
       power -= w * 0.5 * ui * difference;
     else

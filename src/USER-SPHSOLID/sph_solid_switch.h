@@ -49,9 +49,10 @@ template <int D, class Real> inline Real compression_share(const Tensor<D, Real>
 
 static constexpr double UNRESOLVED = 0.05;
 
-inline double unresolved_share(double rest2, double linear2)
+template <class Real> inline Real unresolved_share(Real rest2, Real linear2)
 {
-  return rest2 > 0.0 ? rest2 / (rest2 + UNRESOLVED * UNRESOLVED * linear2) : 0.0;
+  const Real share = rest2 / (rest2 + UNRESOLVED * UNRESOLVED * linear2);
+  return where_positive(rest2, share, Real(0.0));
 }
 
 }    // namespace SPHSolid

@@ -131,9 +131,9 @@ inline Real correction_weight(Weights weights, Real m_wbar, Real n_i, Real n_j)
 // line of centers, and nothing where it would not slow the pair down.  ax and vx:
 // (da_i - da_j).x_ij and v_ij.x_ij.  Times x_ij; symmetric in i and j
 
-inline double safe_pull(double ax, double vx, double x2)
+template <class Real> inline Real safe_pull(Real ax, Real vx, Real x2)
 {
-  return ax * vx < 0.0 ? ax / x2 : 0.0;
+  return where_positive(-(ax * vx), ax / x2, Real(0.0));
 }
 
 // largest share of the standard viscosity that the filter leaves, for the

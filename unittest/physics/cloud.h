@@ -155,21 +155,35 @@ class Cloud {
   {
     const int bad = advance(dt);
     const Particles p = particles();
-    for (int g = size(); g < p.nall; g++) sweeps->unpack_stress(p, g, sweeps->stress_row(owner[g]));
+    send(Message::STRESS);
     sweeps->mirror_stress();
     if (sweeps->sweeps_for_switch()) {
       sweeps->find_switch(p, rows);
-      for (int g = size(); g < p.nall; g++)
-        *sweeps->viscosity_switch(g) = *sweeps->viscosity_switch(owner[g]);
+      send(Message::SWITCH);
       sweeps->mirror_switch();
     }
     sweeps->force(p, rows);
     if (!sweeps->needs_correction()) return bad;
-    for (int g = size(); g < p.nall; g++)
-      for (int a = 0; a < dim; a++)
-        sweeps->viscous_acceleration(g)[a] = sweeps->viscous_acceleration(owner[g])[a];
+    send(Message::VISCOUS);
     sweeps->correction(p, rows);
     return bad;
+  }
+
+  // what the sweeps have of a particle
+  void set(Message what, int i, const Vector3d &value)
+  {
+    sweeps->unpack(what, particles(), i, value.data());
+  }
+
+  // from owners to their ghosts
+  void send(Message what)
+  {
+    const Particles p = particles();
+    std::vector<double> message(sweeps->message_size(what));
+    for (int g = size(); g < p.nall; g++) {
+      sweeps->pack(what, owner[g], message.data());
+      sweeps->unpack(what, p, g, message.data());
+    }
   }
 
   // neighbor lists and the gradient sweep only
@@ -195,10 +209,8 @@ class Cloud {
   // energy per time given to each particle while all move with u
   std::vector<double> heat(const std::vector<Vector3d> &u, bool book = false)
   {
-    for (int i = 0; i < size(); i++)
-      for (int a = 0; a < dim; a++) sweeps->displacement(i)[a] = u[i][a];
-    for (std::size_t g = size(); g < owner.size(); g++)
-      for (int a = 0; a < dim; a++) sweeps->displacement(g)[a] = u[owner[g]][a];
+    for (int i = 0; i < size(); i++) set(Message::DISPLACEMENT, i, u[i]);
+    send(Message::DISPLACEMENT);
     std::vector<double> out(size(), 0.0);
     sweeps->heat(particles(), rows, out.data(), book);
     return out;

@@ -19,10 +19,7 @@ void correct(Cloud &c, const std::function<Vector3d(Vector3d)> &acceleration)
   c.sweeps->mirror_stress();
   c.sweeps->force(c.particles(), c.neighbors());
   c.forget_forces();
-  for (int i = 0; i < c.size(); i++) {
-    const Vector3d a = acceleration(c.x[i]);
-    for (int k = 0; k < c.dim; k++) c.sweeps->viscous_acceleration(i)[k] = a[k];
-  }
+  for (int i = 0; i < c.size(); i++) c.set(Message::VISCOUS, i, acceleration(c.x[i]));
   c.sweeps->correction(c.particles(), c.neighbors());
 }
 

@@ -34,8 +34,7 @@ TEST(LagrangianCorrection, VanishesForAConstant)
     c.opt.viscosity = Viscosity::CORRECT;
     c.evaluate();
     const std::vector<Vector3d> before = forces(c);
-    for (int i = 0; i < c.size(); i++)
-      for (int a = 0; a < dim; a++) c.sweeps->viscous_acceleration(i)[a] = 7.0 + a;
+    for (int i = 0; i < c.size(); i++) c.set(Message::VISCOUS, i, Vector3d(7.0, 8.0, 9.0));
     c.sweeps->correction(c.particles(), c.neighbors());
     EXPECT_EQ(largest_difference(forces(c), before), 0.0);
   }
@@ -54,10 +53,8 @@ TEST(LagrangianCorrection, LeavesAChessBoard)
   deform(c, large(2));
   c.evaluate();
   const std::vector<Vector3d> before = forces(c);
-  for (int i = 0; i < c.size(); i++) {
-    c.sweeps->viscous_acceleration(i)[0] = i % 2 ? -1.0 : 1.0;    // 9 to a row
-    c.sweeps->viscous_acceleration(i)[1] = 0.0;
-  }
+  for (int i = 0; i < c.size(); i++)    // 9 to a row
+    c.set(Message::VISCOUS, i, Vector3d(i % 2 ? -1.0 : 1.0, 0.0, 0.0));
   c.sweeps->correction(c.particles(), c.neighbors());
   const double axis = std::pow(2.0 / 3.0, 3),
                diagonal = std::pow(2.0 - 4.0 / 3.0 * std::sqrt(2.0), 3);

@@ -1,0 +1,133 @@
+/* ----------------------------------------------------------------------
+   The Lagrangian frame: what neighbors read of a particle, sent to ghosts and
+   mirrored to images.  Members of LagrangianSweeps.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_LAGRANGIAN_ROWS_H
+#define LMP_SPH_SOLID_LAGRANGIAN_ROWS_H
+
+#include "sph_solid_lagrangian.h"
+
+namespace {
+
+template <int D>
+void LagrangianSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
+{
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) num_threads(nthreads)
+#endif
+  for (int i = 0; i < p.nall; i++) {
+    const int column = column_of[i];
+    if (column < 0) continue;
+    for (int a = 0; a < D; a++) {
+      columns.set(column, X + a, p.x[i][a]);
+      columns.set(column, V + a, v[i][a]);
+    }
+  }
+  for (int k = 0; k < images.count(); k++) {
+    const int column = column_of[nparticles + k];
+    double at[D];
+    images.template position<D>(k, p.x[images.source_of(k)], at);
+    for (int a = 0; a < D; a++) columns.set(column, X + a, at[a]);
+  }
+  mirror_vectors(V);
+}
+
+// of images
+
+template <int D> void LagrangianSweeps<D>::mirror_vectors(int component)
+{
+  for (int k = 0; k < images.count(); k++) {
+    const int from = column_of[images.source_of(k)], to = column_of[nparticles + k];
+    double sign[3];
+    images.signs(k, sign);
+    for (int a = 0; a < D; a++)
+      columns.set(to, component + a, sign[a] * columns.get(from, component + a));
+  }
+}
+
+// columns from[0], from[1], ... side by side
+
+template <int D> const double *LagrangianSweeps<D>::gather(const int *from, Scratch &scratch) const
+{
+  const double *at[LANES];
+  for (int m = 0; m < LANES; m++) at[m] = columns.at(from[m]);
+  for (int c = 0; c < columns.components(); c++)
+    store(scratch.of + c * NEXT, pack_of([&](int m) {
+            return at[m][c * NEXT];
+          }));
+  return scratch.of;
+}
+
+/* ----------------------------------------------------------------------
+   messages: a few components each
+------------------------------------------------------------------------- */
+
+template <int D> int LagrangianSweeps<D>::message_size(Message what) const
+{
+  if (what == Message::STRESS) return at_da() - T;
+  return what == Message::SWITCH ? 1 : D;
+}
+
+template <int D> int LagrangianSweeps<D>::place_of(Message what) const
+{
+  if (what == Message::STRESS) return T;
+  if (what == Message::SWITCH) return LAST;
+  return what == Message::VISCOUS ? at_da() : V;
+}
+
+template <int D> void LagrangianSweeps<D>::pack(Message what, int i, double *out) const
+{
+  const int column = column_of[i], n = message_size(what);    // none of who has no material
+  const double *from = columns.at(std::max(column, 0)) + place_of(what) * NEXT;
+  for (int c = 0; c < n; c++) out[c] = column < 0 ? 0.0 : from[c * NEXT];
+}
+
+template <int D>
+void LagrangianSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
+{
+  const int column = column_of[i], first = place_of(what);
+  if (column < 0) return;
+  for (int c = 0; c < message_size(what); c++) columns.set(column, first + c, in[c]);
+  if (what == Message::STRESS) p.rho[i] = in[RHO - T];
+}
+
+// a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
+// both signs
+
+template <int D> void LagrangianSweeps<D>::mirror_stress()
+{
+  for (int k = 0; k < images.count(); k++) {
+    const int from = column_of[images.source_of(k)], to = column_of[nparticles + k];
+    double sign[3];
+    images.signs(k, sign);
+    auto copy = [&](int c, double factor) {
+      columns.set(to, c, factor * columns.get(from, c));
+    };
+    auto copy_tensor = [&](int c) {
+      for (int a = 0; a < D; a++)
+        for (int b = 0; b < D; b++) copy(c + D * a + b, sign[a] * sign[b]);
+    };
+    copy_tensor(T);
+    for (const int c : {IMPEDANCE, RHO, SOUND, LAST}) copy(c, 1.0);
+    if (viscous()) copy_tensor(at_C());
+    if (keeps_rates()) copy_tensor(at_rate());
+  }
+
+  if (needs_correction() && !weights_known) {    // as long as weights are known, so is this
+    lonely = false;
+    for (const int column : column_of)
+      lonely = lonely || (column >= 0 && !(columns.get(column, LAST) > 0.0));
+  }
+  if (keeps_pairs()) pull.resize(slots.factor.size());
+}
+
+template <int D> void LagrangianSweeps<D>::mirror_switch()
+{
+  for (int k = 0; k < images.count(); k++)
+    columns.set(column_of[nparticles + k], LAST, columns.get(column_of[images.source_of(k)], LAST));
+}
+
+}    // namespace
+
+#endif

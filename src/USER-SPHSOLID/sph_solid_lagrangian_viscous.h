@@ -1,0 +1,117 @@
+/* ----------------------------------------------------------------------
+   The Lagrangian frame: switch of a viscosity, acceleration correction.  Members of
+   LagrangianSweeps.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_LAGRANGIAN_VISCOUS_H
+#define LMP_SPH_SOLID_LAGRANGIAN_VISCOUS_H
+
+#include "sph_solid_lagrangian.h"
+
+namespace {
+
+// that of "front" is how much of the deformation of a particle is compression, known from its
+// own velocity gradient, times how much of the motion around it is not resolved
+
+template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const NeighborRows &)
+{
+  each_block([&](int block, const Batch &batch, int, Totals &) {
+    const double *i = columns.at(block * LANES);
+    const Pack h = Base::of_types(p, batch, [&](int t) {
+      return types[t].h;
+    });
+    const Pack least = MU_EPSILON * h * h;    // particles may meet
+    Pack rest2 = 0.0, linear2 = 0.0;
+    Scratch scratch;
+    for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
+      const double *j = neighbors(s, block, scratch);
+      const Components<D> d = motion(i, j);
+      Pack reference[D];
+      difference(i, j, REFERENCE, reference);
+      const Pack li = along(i, at_rate(), d.x, reference), lj = along(j, at_rate(), d.x, reference);
+      const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
+      const Pack w = -load(&slots.factor[s * std::size_t(LANES)]) / (d.x_dot_x() + least);
+      rest2 += w * rest * rest;
+      linear2 += 0.5 * w * (li * li + lj * lj);
+    }
+    const Pack share = unresolved_share(rest2, linear2);
+    columns.store(block * LANES, LAST, component(i, LAST) * share);
+  });
+}
+
+/* ----------------------------------------------------------------------
+   correction sweep: replaces the viscous acceleration by its grid-scale part
+------------------------------------------------------------------------- */
+
+template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const NeighborRows &)
+{
+  mirror_vectors(at_da());
+  if (this->keeps_heat)
+    for (int column = 0; column < end_of_columns; column += LANES)
+      for (int a = 0; a < D; a++)
+        columns.store(column, at_early() + a, component(columns.at(column), V + a));
+  each_block([&](int block, const Batch &batch, int n, Totals &) {
+    if (!weights_known) near_weights(block);
+    if (safe()) safe_pulls(block);
+    const double *i = columns.at(block * LANES);
+    Pack f[D];
+    for (int a = 0; a < D; a++) f[a] = 0.0;
+    Scratch scratch;
+    for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
+      const double *j = neighbors(s, block, scratch);
+      const Pack w = near_factor(s, block);
+      for (int a = 0; a < D; a++) f[a] += w * corrected_along(i, j, a);
+    }
+    for (int a = 0; a < D; a++) f[a] *= 0.5 * batch.load(p.mass);
+    add_forces(p, batch, n, f);
+  });
+  weights_known = true;
+}
+
+// m_j Wbar of the nearest partners becomes a weight: constant until the partners have new indices
+
+template <int D> void LagrangianSweeps<D>::near_weights(int block)
+{
+  const double *i = columns.at(block * LANES);
+  Scratch scratch;
+  for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
+    double *at = &near_weight[near_place(s, block)];
+    const Pack m_wbar = load(at), n_i = component(i, LAST);
+    const Pack w =
+        correction_weight(opt.weights, m_wbar, n_i, component(neighbors(s, block, scratch), LAST));
+    store(at, where_positive(m_wbar, w, Pack(0.0)));
+  }
+}
+
+// weights safe
+
+template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
+{
+  const double *i = columns.at(block * LANES);
+  Scratch scratch;
+  for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
+    const double *j = neighbors(s, block, scratch);
+    const Components<D> d = motion(i, j);
+    Pack a[D], ax = 0.0;
+    difference(i, j, at_da(), a);
+    for (int k = 0; k < D; k++) ax = multiply_add(a[k], d.x[k], ax);
+    const std::size_t k = near_place(s, block);
+    store(&near_pull[k], load(&near_weight[k]) * safe_pull(ax, d.v_dot_x(), d.x_dot_x()));
+  }
+}
+
+// of the pairs that the correction must not touch since one of the two has no nearest partner,
+// the whole viscous force: what is left of a pair's pull there, 0 elsewhere
+
+template <int D>
+Pack LagrangianSweeps<D>::whole_pull(const double *i, const double *j, Pack pull) const
+{
+  if (!needs_correction()) return pull;
+  const Pack zero(0.0);
+  const Pack both = where_positive(component(i, LAST), component(j, LAST), zero);
+  return where_positive(both, zero, pull);
+}
+
+}    // namespace
+
+#endif

@@ -1,0 +1,317 @@
+/* ----------------------------------------------------------------------
+   What the sweeps of both frames do with particles, as opposed to pairs: the
+   constitutive update of some at a time, the energy ledger, the time step.
+
+   A frame fills in how pairs are stored and summed: in rows of one particle
+   (sph_solid_sweeps_base.h, eulerian), or in columns of several particles
+   (sph_solid_lagrangian.h).
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_POINTS_H
+#define LMP_SPH_SOLID_POINTS_H
+
+#include "sph_solid_eos.h"
+#include "sph_solid_kernel.h"
+#include "sph_solid_lanes.h"
+#include "sph_solid_strength.h"
+#include "sph_solid_sweeps.h"
+#include "sph_solid_switch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+namespace SPHSolid {
+
+// the bits of a LAMMPS neighbor index that are the index (NEIGHMASK)
+constexpr int INDEX_MASK = 0x1FFFFFFF;
+
+// a particle this close to its image, in smoothing lengths, is on the plane, and
+// both are the two halves of one particle
+constexpr double COINCIDE = 1.0e-6;
+
+// call with the form of the pair viscosity as a constant
+
+template <class Call> void with_form(PairForm form, Call call)
+{
+  switch (form) {
+    case PairForm::NONE:
+      call(std::integral_constant<PairForm, PairForm::NONE>());
+      break;
+    case PairForm::WHOLE:
+      call(std::integral_constant<PairForm, PairForm::WHOLE>());
+      break;
+    case PairForm::LIMITED:
+      call(std::integral_constant<PairForm, PairForm::LIMITED>());
+      break;
+    case PairForm::SWITCHED:
+      call(std::integral_constant<PairForm, PairForm::SWITCHED>());
+      break;
+    case PairForm::FRONT:
+      call(std::integral_constant<PairForm, PairForm::FRONT>());
+      break;
+  }
+}
+
+template <int D> class PointSweeps : public Sweeps {
+ public:
+  PointSweeps(const Options &o, const std::vector<TypeData> &t) : opt(o), types(t)
+  {
+    for (const TypeData &type : types) {
+      resistances.push_back(resistance(type.material));
+      compressions.push_back(compression(type.material));
+    }
+  }
+  bool sweeps_for_switch() const override { return opt.viscosity == Viscosity::FRONT; }
+  bool needs_correction() const override { return opt.viscosity == Viscosity::CORRECT; }
+
+ protected:
+  Options opt;
+  std::vector<TypeData> types;
+  std::vector<Resistance<>> resistances;    // of the types
+  std::vector<Compression<>> compressions;
+  std::vector<int> image_first, image_j;    // candidates among the images
+
+  void find_image_candidates(const Particles &, const NeighborRows &, double **x, double reach);
+  bool safe() const { return needs_correction() && opt.weights == Weights::SAFE; }
+  // m_j Wbar_ij; near: supports of Wbar of both, whose mean is that of the pair
+  template <class Real> static Real wbar_mass(Real r, Real mass, Real near_i, Real near_j)
+  {
+    return mass * CubicSpline<D>::w(r, Real(0.25 * (near_i + near_j)));
+  }
+  double step_limit(int type, double rho, double c, double mu_max) const;
+
+  // as many own particles as there are lanes; at the end of a list the last one fills up
+  struct Batch {
+    int i[LANES], n;
+    bool consecutive;    // they lie one after the other in arrays
+    Batch(const NeighborRows &list, int first) : n(std::min(LANES, list.inum - first))
+    {
+      const int last = list.inum - 1;
+      for (int m = 0; m < LANES; m++) i[m] = list.ilist[std::min(first + m, last)];
+      consecutive = true;
+      for (int m = 1; m < LANES; m++) consecutive = consecutive && i[m] == i[0] + m;
+    }
+    Pack load(const double *array) const
+    {
+      if (consecutive) return SPHSolid::load(array + i[0]);
+      return pack_of([&](int m) {
+        return array[i[m]];
+      });
+    }
+    void store(double *array, Pack v) const
+    {
+      if (consecutive)
+        SPHSolid::store(array + i[0], v);
+      else
+        for (int m = 0; m < n; m++) array[i[m]] = v[m];
+    }
+    // blocks of particles m and, with eight lanes, m + 4, m = 0 to 3, in an array of rows
+    Addresses rows(const double *array, int m, int stride) const
+    {
+      return Addresses(array, i + m, stride);
+    }
+  };
+  // value(type) of each particle
+  template <class F> static Pack of_types(const Particles &p, const Batch &batch, F value)
+  {
+    int t[LANES];
+    bool same = true;
+    for (int m = 0; m < LANES; m++) {
+      t[m] = p.type[batch.i[m]];
+      same = same && t[m] == t[0];
+    }
+    if (same) return Pack(value(t[0]));
+    return pack_of([&](int m) {
+      return value(t[m]);
+    });
+  }
+  struct Points {
+    PointState<D, Pack> state;
+    PressureState<Pack> eos;
+    Tensor<D, Pack> sigma;    // Cauchy stress, tension positive
+    Pack plastic_work;        // of this step [energy]
+  };
+  // of the first n particles of a batch
+  static double sum_of_first(Pack v, int n) { return sum(n < LANES ? v * first_lanes(n) : v); }
+  static void load_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
+  static void store_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
+  Points update_points(const Particles &, const Batch &, const Tensor<D, Pack> &L_mid, double dt);
+  static int unphysical(const Batch &, Pack rho, Pack others);
+  Pack own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const;
+
+  // sums of one evaluation as the ledger has them
+  struct Totals {
+    double plastic = 0.0, viscous = 0.0, standard = 0.0, hourglass = 0.0;
+  };
+  void enter(const Totals &, double factor);
+};
+
+// candidates among the images: those of every neighbor and of i itself, at x
+
+template <int D>
+void PointSweeps<D>::find_image_candidates(const Particles &p, const NeighborRows &list, double **x,
+                                           double reach)
+{
+  if (!images.any()) return;
+  images.find(p.nall, x, reach);
+  image_first.assign(p.nlocal + 1, 0);
+  image_j.clear();
+  std::vector<char> listed(p.nlocal, 0);
+  for (int ii = 0; ii < list.inum; ii++) listed[list.ilist[ii]] = 1;
+  for (int i = 0; i < p.nlocal; i++) {
+    image_first[i] = static_cast<int>(image_j.size());
+    if (!listed[i]) continue;
+    auto add = [&](int j) {
+      for (int k = images.first_of(j); k < images.first_of(j + 1); k++)
+        image_j.push_back(p.nall + k);
+    };
+    add(i);
+    for (int jj = 0; jj < list.numneigh[i]; jj++) add(list.firstneigh[i][jj] & INDEX_MASK);
+  }
+  image_first[p.nlocal] = static_cast<int>(image_j.size());
+}
+
+/* ----------------------------------------------------------------------
+   the deviatoric stress in LAMMPS's order, xx, yy, zz, xy, xz, yz: in two
+   dimensions one block has all of it, in three a second one begins at zz
+------------------------------------------------------------------------- */
+
+template <int D>
+void PointSweeps<D>::load_deviator(const Particles &p, const Batch &batch,
+                                   PointState<D, Pack> &state)
+{
+  auto columns = [&](int at, Pack *c) {
+    for (int m = 0; m < BLOCK; m++) c[m] = load(Addresses(p.stress, batch.i + m) + at);
+    transpose(c[0], c[1], c[2], c[3]);
+  };
+  Pack c[BLOCK];
+  columns(0, c);
+  state.S(0, 0) = c[0];
+  state.S(1, 1) = c[1];
+  state.S(0, 1) = state.S(1, 0) = c[3];
+  if constexpr (D == 2)
+    state.Szz = c[2];
+  else {
+    state.S(2, 2) = c[2];
+    columns(2, c);
+    state.S(0, 2) = state.S(2, 0) = c[2];
+    state.S(1, 2) = state.S(2, 1) = c[3];
+  }
+}
+
+// of the two numbers that S has for a shear stress, the one above the diagonal is kept, as a
+// restart file has it
+
+template <int D>
+void PointSweeps<D>::store_deviator(const Particles &p, const Batch &batch,
+                                    PointState<D, Pack> &state)
+{
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < a; b++) state.S(a, b) = state.S(b, a);
+  auto store_columns = [&](int at, Pack a, Pack b, Pack c, Pack d) {
+    transpose(a, b, c, d);
+    const Pack rows[BLOCK] = {a, b, c, d};
+    for (int m = 0; m < BLOCK; m++) store(Addresses(p.stress, batch.i + m) + at, rows[m]);
+  };
+  if constexpr (D == 2)
+    store_columns(0, state.S(0, 0), state.S(1, 1), state.Szz, state.S(0, 1));
+  else {
+    store_columns(0, state.S(0, 0), state.S(1, 1), state.S(2, 2), state.S(0, 1));
+    store_columns(2, state.S(2, 2), state.S(0, 1), state.S(0, 2), state.S(1, 2));
+  }
+}
+
+/* ----------------------------------------------------------------------
+   constitutive update of a batch over dt with the velocity gradient in the
+   middle of the step; dt = 0: the state as it is
+------------------------------------------------------------------------- */
+
+template <int D>
+typename PointSweeps<D>::Points
+PointSweeps<D>::update_points(const Particles &p, const Batch &batch, const Tensor<D, Pack> &L_mid,
+                              double dt)
+{
+  auto of = [&](const auto &list, auto member) {
+    return of_types(p, batch, [&](int t) {
+      return list[t].*member;
+    });
+  };
+  Points points;
+  PointState<D, Pack> &state = points.state;
+  state.rho = batch.load(p.rho);
+  load_deviator(p, batch, state);
+  const Pack mass = batch.load(p.mass);
+
+  if (dt > 0.0) {
+    using R = Resistance<>;
+    const Resistance<Pack> r = {of(resistances, &R::shear), of(resistances, &R::Y),
+                                of(resistances, &R::H)};
+    state.epl = batch.load(p.epl);
+    const Pack per_volume = advance<D, Pack>(r, state, L_mid, dt);
+    points.plastic_work = per_volume * (mass / state.rho);
+    batch.store(p.rho, state.rho);
+    batch.store(p.epl, state.epl);
+    store_deviator(p, batch, state);
+  } else
+    points.plastic_work = 0.0;
+
+  using C = Compression<>;
+  const Compression<Pack> k = {of(compressions, &C::a0), of(compressions, &C::b0),
+                               of(compressions, &C::c0), of(compressions, &C::Gamma)};
+  points.eos = pressure(k, state.rho, mass / batch.load(p.volume), batch.load(p.e));
+  points.sigma = state.S - points.eos.P * Tensor<D, Pack>::Identity();
+  return points;
+}
+
+// a particle whose density is not positive, or another number of whom is not
+// finite; or -1
+
+template <int D> int PointSweeps<D>::unphysical(const Batch &batch, Pack rho, Pack others)
+{
+  // sum - sum is 0 or not a number
+  const Pack sum = rho + others, finite = where_positive(1.0 + (sum - sum), Pack(1.0), Pack(-1.0));
+  if (least(where_positive(rho, finite, Pack(-1.0))) > 0.0) return -1;
+  for (int m = 0; m < LANES; m++)
+    if (!(rho[m] > 0.0) || !std::isfinite(sum[m])) return batch.i[m];
+  return -1;
+}
+
+/* ----------------------------------------------------------------------
+   switches of the viscosity.  That of "front" is how much of the deformation of
+   a particle is compression, known from its own velocity gradient, times how
+   much of the motion around it is not resolved, which takes one more sweep
+------------------------------------------------------------------------- */
+
+template <int D> Pack PointSweeps<D>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
+{
+  if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Pack>(L);
+  return balsara_switch<D, Pack>(L, c, h);
+}
+
+/* ----------------------------------------------------------------------
+   h/(c_L + 0.6 (a1 c + a2 |mu|)), the viscous part as far as it is retained
+------------------------------------------------------------------------- */
+
+template <int D>
+double PointSweeps<D>::step_limit(int type, double rho, double c, double mu_max) const
+{
+  const double retained = opt.viscosity == Viscosity::NONE ? 0.0
+      : needs_correction()                                 ? CORRECTION_RETAINS
+                                                           : 1.0;
+  const double c_l = std::sqrt(c * c + 4.0 * types[type].material.shear / (3.0 * rho));
+  return types[type].h / (c_l + 0.6 * retained * (opt.a1 * c + opt.a2 * mu_max));
+}
+
+template <int D> void PointSweeps<D>::enter(const Totals &t, double factor)
+{
+  ledger.plastic_work += t.plastic;
+  ledger.viscous_heat += factor * t.viscous;
+  ledger.hourglass += factor * t.hourglass;
+  if (needs_correction()) ledger.returned += factor * (t.standard - t.viscous);
+}
+
+}    // namespace SPHSolid
+
+#endif

@@ -1,0 +1,98 @@
+/* ----------------------------------------------------------------------
+   Pairs of as many particles as there are lanes, a block, arranged in slots: of
+   each particle a slot has one partner or none.
+
+   A slot's neighbors lie side by side in columns as the particles themselves do, so
+   many columns further, or, where no two particles of the block have neighbors
+   that lie like that, anywhere: then their columns are gathered.  Of each particle partners
+   keep their order, so that sums depend neither on where particles are stored nor on
+   which others are in the block.  A slot's pair that is none has factor 0.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_SLOTS_H
+#define LMP_SPH_SOLID_SLOTS_H
+
+#include "sph_solid_vector.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace SPHSolid {
+
+struct Partner {
+  int row;    // local index, or that of an image
+  int column;
+  bool nearest;          // of the acceleration correction
+  std::int64_t apart;    // ID less that of the particle; images come last
+  double r;              // distance in the reference
+};
+
+inline bool comes_before(const Partner &a, const Partner &b)
+{
+  return a.nearest != b.nearest ? a.nearest : a.apart < b.apart;
+}
+
+// a gathered slot takes as long as some four others; less than so many partners are not worth it
+constexpr int WORTH_GATHERING = 5;
+
+// partners of the particles from column first on, one list per lane: call(side_by_side, offset,
+// which) for each slot; which[lane]: index in the lane's list, or -1
+
+template <class Call>
+void arrange(const std::vector<Partner> (&partners)[LANES], int first, Call call)
+{
+  int next[LANES] = {};
+  for (;;) {
+    const Partner *head[LANES], *lead = nullptr;
+    int open = 0, offset = 0;
+    for (int m = 0; m < LANES; m++) {
+      head[m] = next[m] < static_cast<int>(partners[m].size()) ? &partners[m][next[m]] : nullptr;
+      if (!head[m]) continue;
+      open++;
+      if (lead && !comes_before(*head[m], *lead)) continue;
+      lead = head[m];
+      offset = lead->column - (first + m);
+    }
+    if (!lead) return;
+    int which[LANES], together = 0;
+    for (int m = 0; m < LANES; m++)
+      if (head[m] && head[m]->column - (first + m) == offset) together++;
+    const bool side_by_side = together > 1 || open < WORTH_GATHERING;
+    for (int m = 0; m < LANES; m++) {
+      const bool taken = head[m] && (!side_by_side || head[m]->column - (first + m) == offset);
+      which[m] = taken ? next[m]++ : -1;
+    }
+    call(side_by_side, offset, which);
+  }
+}
+
+struct Slots {
+  static constexpr int GATHERED = 1 << 30;
+
+  std::vector<int> first;    // slot of each block, and one behind the last
+  std::vector<int>
+      near_first;               // the same among slots that have nearest partners: a block's first
+  std::vector<int> offset;      // columns that the neighbors are further, or GATHERED + n
+  std::vector<int> gathered;    // LANES columns each
+  std::vector<int> count;       // partners of each column
+  Rows factor, nearness;        // LANES of each slot
+
+  int nearest(int block) const { return near_first[block + 1] - near_first[block]; }
+  // the column of a slot's neighbor
+  int column(int slot, int block, int lane) const
+  {
+    const int o = offset[slot];
+    return o < GATHERED / 2 ? block * LANES + lane + o : gathered[(o - GATHERED) * LANES + lane];
+  }
+  double memory_usage() const
+  {
+    const std::size_t ints = first.capacity() + near_first.capacity() + offset.capacity() +
+        gathered.capacity() + count.capacity();
+    return static_cast<double>((factor.capacity() + nearness.capacity()) * sizeof(double) +
+                               ints * sizeof(int));
+  }
+};
+
+}    // namespace SPHSolid
+
+#endif
