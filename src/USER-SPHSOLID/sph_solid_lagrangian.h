@@ -77,12 +77,12 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   using Tensors = Tensor<D, Pack>;
 
   // components of a column: positions, velocities (for heat: displacements), positions in the
-  // reference; what the constitutive update fills and ghosts are sent: sigma C, impedance
-  // rho c_L h, density, bulk sound speed, n of the correction or the switch of a viscosity;
-  // then, if a scene needs them, C and F'; viscous acceleration, velocities it belongs to
-  static constexpr int X = 0, V = D, REFERENCE = 2 * D, T = 3 * D, IMPEDANCE = T + D * D,
-                       RHO = IMPEDANCE + 1, SOUND = RHO + 1, LAST = SOUND + 1, FIXED = LAST + 1,
-                       MOST = FIXED + 2 * D * D + 2 * D;
+  // reference, V0/h0^(D+2); what the constitutive update fills and ghosts are sent: sigma C,
+  // impedance rho c_L h, density, bulk sound speed, n of the correction or the switch of a
+  // viscosity; then, if a scene needs them, C and F'; viscous acceleration, velocities it belongs to
+  static constexpr int X = 0, V = D, REFERENCE = 2 * D, WEIGHT = 3 * D, T = WEIGHT + 1,
+                       IMPEDANCE = T + D * D, RHO = IMPEDANCE + 1, SOUND = RHO + 1,
+                       LAST = SOUND + 1, FIXED = LAST + 1, MOST = FIXED + 2 * D * D + 2 * D;
   static constexpr int NEXT = Columns::NEXT;
   bool viscous() const { return opt.viscosity != Viscosity::NONE; }
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
@@ -99,8 +99,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   int end_of_own = 0, end_of_columns = 0;
   Slots slots;
   Rows B, F;             // of own particles; F only where no neighbor reads C
-  Rows damp;             // of slots: hourglass force on i = V0_i damp x_ij
-  Rows pull;             // the same for viscous forces, -V0_i pull x_ij, kept for heat
+  SingleRows damp;       // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
+  SingleRows pull;       // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
   Rows near_weight;      // of slots with nearest partners: m_j Wbar_ij, then weights
   Rows near_pull;        // weights safe: force on i = m_i/2 near_pull x_ij
   Rows mu_max, early;    // of own: largest approach rate; power of forces on their velocities
@@ -152,6 +152,11 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   {
     for (int a = 0; a < D; a++) out[a] = component(i, c + a) - component(j, c + a);
   }
+  // V0_j grad_i W = this times X_ij
+  Pack factor(int slot, const double *j) const
+  {
+    return load(&slots.factor[slot * std::size_t(LANES)]) * component(j, WEIGHT);
+  }
   static Components<D> motion(const double *i, const double *j)
   {
     Components<D> d;
@@ -180,6 +185,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   static Tensor<D> own_tensor(const Rows &, int column);
   void mirror_vectors(int component);
   int place_of(Message) const;
+  // 1/h0^(D+2), so that what is stored in single precision is of order 1 in any units
+  double unit_factor() const { return std::pow(opt.h, -(D + 2)); }
   // x.TX, T of one particle or the sum of two
   static Pack along(const double *i, int c, const Pack *x, const Pack *X)
   {

@@ -25,9 +25,10 @@ inline void LagrangianSweeps<D>::add_work(int s, int block, bool nearest, const 
     const Pack x = WORK == Work::DUE ? d.x[a] - Pack(this->due.drift) * d.v[a] : d.x[a];
     along = multiply_add(d.v[a], x, along);
   }
-  if (opt.hourglass > 0.0) sums.hourglass = multiply_add(load(&damp[k]), along, sums.hourglass);
+  const Pack weighted = along * component(j, WEIGHT);
+  if (opt.hourglass > 0.0) sums.hourglass = multiply_add(load(&damp[k]), weighted, sums.hourglass);
   if (keeps_pairs())
-    sums.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), along, sums.viscous);
+    sums.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), weighted, sums.viscous);
   if (nearest)
     sums.corrected =
         multiply_add(near_factor(s, block), corrected_power<WORK>(i, j, d), sums.corrected);
@@ -196,15 +197,16 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
     const std::size_t k = s * std::size_t(LANES);
     const double *j = neighbors(s, block, scratch);
     const Components<D> d = motion(i, j);
+    const Pack weight = component(j, WEIGHT);
     Pack reference[D], f[D], central = 0.0;
     difference(i, j, REFERENCE, reference);
-    if (opt.hourglass > 0.0) central += load(&damp[k]);
-    if (keeps_pairs()) central -= whole_pull(i, j, load(&pull[k]));
+    if (opt.hourglass > 0.0) central += load(&damp[k]) * weight;
+    if (keeps_pairs()) central -= whole_pull(i, j, load(&pull[k])) * weight;
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++)
         t += (component(i, T + D * a + b) + component(j, T + D * a + b)) * reference[b];
-      f[a] = V0 * (load(&slots.factor[k]) * t + central * d.x[a]);
+      f[a] = V0 * (factor(s, j) * t + central * d.x[a]);
       if (s < near_end) f[a] += half_mass * near_factor(s, block) * corrected_along(i, j, a);
     }
     sum.add(f, d.x);

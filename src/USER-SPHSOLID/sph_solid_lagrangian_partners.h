@@ -224,12 +224,11 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     const int i = of.own[block * LANES + m], source = of.source_of(partner.row);
     const double h = mean_h(i, source), q = partner.r / h;
     const std::size_t k = static_cast<std::size_t>(slot) * LANES + m;
-    const double factor = p.vref[source] * CubicSpline<D>::gradient_factor(partner.r, h);
-    of.slots.factor[k] = factor;
+    of.slots.factor[k] = CubicSpline<D>::gradient_factor(partner.r, h) / of.unit_factor();
     of.slots.nearness[k] = q / (q * q + MU_EPSILON);
     of.slots.count[block * LANES + m]++;
     const Vector<D> X = separation(i, partner.row);
-    moment[m] -= factor * X * X.transpose();
+    moment[m] -= of.slots.factor[k] * of.columns.get(partner.column, WEIGHT) * X * X.transpose();
     if (!partner.nearest) return;
     const double weight =
         Base::wbar_mass(partner.r, p.mass[source], near_support(i), near_support(source));
@@ -263,9 +262,11 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   place_columns(p, list);
   columns.resize(end_of_columns, components());
   const std::vector<double> reference = place_references(p, list);
-  for (std::size_t row = 0; row < column_of.size(); row++)
-    for (int a = 0; a < D && column_of[row] >= 0; a++)
-      columns.set(column_of[row], REFERENCE + a, reference[row * D + a]);
+  for (std::size_t row = 0; row < column_of.size(); row++) {
+    if (column_of[row] < 0) continue;
+    for (int a = 0; a < D; a++) columns.set(column_of[row], REFERENCE + a, reference[row * D + a]);
+    columns.set(column_of[row], WEIGHT, p.vref[source_of(row)] * unit_factor());
+  }
 
   slots.first.assign(blocks() + 1, 0);
   slots.near_first.assign(blocks() + 1, 0);
@@ -310,11 +311,11 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
   slots.offset.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);
   slots.count.assign(end_of_own, 0);
-  slots.factor.assign(pairs, 0.0);
-  slots.nearness.assign(pairs, 0.0);
+  slots.factor.assign(pairs, 0.0f);
+  slots.nearness.assign(pairs, 0.0f);
   near_weight.assign(near, 0.0);
   if (safe()) near_pull.assign(near, 0.0);
-  if (opt.hourglass > 0.0) damp.assign(pairs, 0.0);
+  if (opt.hourglass > 0.0) damp.assign(pairs, 0.0f);
   B.resize(static_cast<std::size_t>(end_of_own) * D * D);
   if (!viscous()) F.resize(static_cast<std::size_t>(end_of_own) * D * D);
   mu_max.assign(end_of_own, 0.0);
@@ -405,7 +406,7 @@ template <int D> Overload LagrangianSweeps<D>::overload(const Particles &p, int 
   const double s = least_stretch<D>(Fi);
   if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
-    if (slots.factor[static_cast<std::size_t>(slot) * LANES + lane] == 0.0) continue;
+    if (slots.factor[static_cast<std::size_t>(slot) * LANES + lane] == 0.0f) continue;
     const int other = slots.column(slot, block, lane);
     double X2 = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {
@@ -422,7 +423,9 @@ template <int D> Overload LagrangianSweeps<D>::overload(const Particles &p, int 
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
   double bytes = columns.memory_usage() + slots.memory_usage();
-  for (const Rows *rows : {&B, &F, &damp, &pull, &near_weight, &near_pull, &mu_max, &early})
+  for (const SingleRows *rows : {&damp, &pull})
+    bytes += static_cast<double>(rows->capacity() * sizeof(float));
+  for (const Rows *rows : {&B, &F, &near_weight, &near_pull, &mu_max, &early})
     bytes += static_cast<double>(rows->capacity() * sizeof(double));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }

@@ -30,7 +30,7 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
       difference(i, j, REFERENCE, reference);
       const Pack li = along(i, at_rate(), d.x, reference), lj = along(j, at_rate(), d.x, reference);
       const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
-      const Pack w = -load(&slots.factor[s * std::size_t(LANES)]) / (d.x_dot_x() + least);
+      const Pack w = -factor(s, j) / (d.x_dot_x() + least);
       rest2 += w * rest * rest;
       linear2 += 0.5 * w * (li * li + lj * lj);
     }

@@ -75,7 +75,14 @@ struct Slots {
   std::vector<int> offset;      // columns that the neighbors are further, or GATHERED + n
   std::vector<int> gathered;    // LANES columns each
   std::vector<int> count;       // partners of each column
-  Rows factor, nearness;        // LANES of each slot
+
+  // LANES of each slot.  In single precision, since a step of a large body waits for memory.
+  // They are the same seen from i and from j, and all that follows from them is computed in
+  // double precision, so that sums are as exact as with others: of linear fields and of energy
+  // and momentum to rounding of doubles
+  SingleRows
+      factor;    // grad_i W(X_ij) = factor X_ij / h0^(D+2), h0 the smoothing length of the style
+  SingleRows nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
 
   int nearest(int block) const { return near_first[block + 1] - near_first[block]; }
   // the column of a slot's neighbor
@@ -88,7 +95,7 @@ struct Slots {
   {
     const std::size_t ints = first.capacity() + near_first.capacity() + offset.capacity() +
         gathered.capacity() + count.capacity();
-    return static_cast<double>((factor.capacity() + nearness.capacity()) * sizeof(double) +
+    return static_cast<double>((factor.capacity() + nearness.capacity()) * sizeof(float) +
                                ints * sizeof(int));
   }
 };

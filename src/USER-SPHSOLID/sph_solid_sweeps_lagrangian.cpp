@@ -21,7 +21,7 @@ template <int D>
 template <typename LagrangianSweeps<D>::Work WORK>
 typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) const
 {
-  const double *i = columns.at(block * LANES), *factor = slots.factor.data();
+  const double *i = columns.at(block * LANES);
   const int near_end = slots.first[block] + slots.nearest(block);
   TensorSums<D> displacement, velocity;
   Sums sums;
@@ -30,7 +30,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const double *j = neighbors(s, block, scratch);
     const Components<D> d = motion(i, j);
-    const Pack F = load(factor + s * std::ptrdiff_t(LANES));
+    const Pack F = factor(s, j);
     Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
     difference(i, j, REFERENCE, g);
     for (int a = 0; a < D; a++) {
@@ -194,8 +194,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
                  RATES = BOTH || HOURGLASS;
   constexpr int C_AT = FIXED, R_AT = C_AT + (VISCOUS ? D * D : 0);
   const double *i = columns.at(block * LANES);
-  const double *factor = slots.factor.data(), *near = slots.nearness.data();
-  double *damping = damp.data(), *pulls = pull.data();
+  const float *factors = slots.factor.data(), *near = slots.nearness.data();
+  float *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double a1 = opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
   const Pack zero(0.0), one(1.0);
@@ -207,7 +207,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
     const double *j = neighbors(s, block, scratch);
-    const Pack F = load(factor + k);
+    const Pack f = load(factors + k), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
     difference(i, j, REFERENCE, X);
     for (int a = 0; a < D; a++) {    // T_i sum F X + sum F T_j X
@@ -220,7 +220,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
 
     // lanes without a partner may lie on what they read
     const Components<D> d = motion(i, j);
-    const Pack r2 = where_positive(-F, d.x_dot_x(), one), vr = d.v_dot_x(), inv_r2 = 1.0 / r2;
+    const Pack r2 = where_positive(-f, d.x_dot_x(), one), vr = d.v_dot_x(), inv_r2 = 1.0 / r2;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {
       li = along(i, R_AT, d.x, X);
@@ -229,8 +229,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       li = along_sum(i, j, R_AT, d.x, X);
     if (HOURGLASS) {
       const Pack impedance = damping_share * (component(i, IMPEDANCE) + component(j, IMPEDANCE));
-      const Pack q = impedance * F * (vr - 0.5 * (li + lj)) * inv_r2;
-      store(damping + k, q);
+      const Pack q =
+          weight * store_rounded(damping + k, impedance * f * (vr - 0.5 * (li + lj)) * inv_r2);
       hourglass_power = multiply_add(q, vr, hourglass_power);
       d.add_to(central, q);
     }
@@ -242,12 +242,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       const Pack c = 0.5 * (component(i, SOUND) + component(j, SOUND));
       Pack Pi = rho * mu * (a2 * mu - a1 * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
-      const Pack G = 0.5 * F * along_sum(i, j, C_AT, d.x, X);
-      const Pack q = Pi * minimum(G, zero) * inv_r2;    // V0_j Pi G
-      if (keep) {
-        store(pulls + k, q);
-        viscous_power = multiply_add(heated_pull(i, j, q), vr, viscous_power);
-      }
+      const Pack G = 0.5 * f * along_sum(i, j, C_AT, d.x, X);
+      Pack q = Pi * minimum(G, zero) * inv_r2;
+      if (keep) q = store_rounded(pulls + k, q);
+      q *= weight;    // V0_j Pi G
+      if (keep) viscous_power = multiply_add(heated_pull(i, j, q), vr, viscous_power);
       const Pack whole = alone ? whole_pull(i, j, q) : zero;
       if (alone) d.add_to(central, -whole);
       d.add_to(replaced, alone ? whole - q : -q);
