@@ -232,7 +232,7 @@ void PairSPHSolid::pack_kinematics(bool setup)
     comm->forward_comm(this, 3);
     message_of_sweeps = true;
   } else {
-    std::copy(p.rho, p.rho + p.nall, p.rho_weight);
+    if (!partners) std::copy(p.rho, p.rho + p.nall, p.rho_weight);
     double **vhalf = own->vhalf;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(comm->nthreads)

@@ -21,7 +21,7 @@ namespace SPHSolid {
 
 class Columns {
  public:
-  static constexpr int LENGTH = 64;              // columns of a chunk, a multiple of LANES
+  static constexpr int LENGTH = 256;             // columns of a chunk, a multiple of LANES
   static constexpr int NEXT = LENGTH + LANES;    // from one component to the next [doubles]
 
   // ncolumns of ncomponents each, all 0

@@ -99,8 +99,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   int end_of_own = 0, end_of_columns = 0;
   Slots slots;
   Rows B, F;             // of own particles; F only where no neighbor reads C
-  SingleRows damp;       // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
-  SingleRows pull;       // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
+  Rows damp;             // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
+  Rows pull;             // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
   Rows near_weight;      // of slots with nearest partners: m_j Wbar_ij, then weights
   Rows near_pull;        // weights safe: force on i = m_i/2 near_pull x_ij
   Rows mu_max, early;    // of own: largest approach rate; power of forces on their velocities
@@ -108,7 +108,10 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   bool weights_known = false, lonely = false;    // a particle has no nearest partner
 
   // what is constant between two neighbor lists
-  void place_columns(const Particles &, const NeighborRows &);
+  void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,
+                     bool by_position);
+  std::vector<int> count_slots(const Particles &, const NeighborRows &,
+                               const std::vector<double> &reference, bool by_position);
   std::vector<double> place_references(const Particles &, const NeighborRows &) const;
   void unwrap_references(const Particles &, const NeighborRows &, std::vector<double> &) const;
   void size_storage(int gathered);
@@ -131,13 +134,20 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   struct Scratch {
     alignas(64) double of[MOST * NEXT];
   };
-  const double *neighbors(int slot, int block, Scratch &scratch) const
+  // those of a slot; a gathered one has components up to last only, and of the correction
+  const double *neighbors(int slot, int block, int last, Scratch &scratch) const
   {
     const int offset = slots.offset[slot];
     if (offset < Slots::GATHERED / 2) return columns.at(block * LANES + offset);
-    return gather(&slots.gathered[(offset - Slots::GATHERED) * LANES], scratch);
+    return gather(&slots.gathered[(offset - Slots::GATHERED) * LANES], last, scratch);
   }
-  const double *gather(const int *from, Scratch &) const;
+  const double *gather(const int *from, int last, Scratch &) const;
+  void prefetch_ahead(int slot, const double *j, int first, int last) const
+  {
+    if (!slots.ahead[slot]) return;
+    for (int c = first; c < last; c++) __builtin_prefetch(j + c * NEXT + AHEAD);
+  }
+  static constexpr int AHEAD = 16;
 
   // of the particles of a block, or of a slot's neighbors
   static Pack component(const double *at, int c) { return load(at + c * NEXT); }
@@ -216,16 +226,19 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   }
 
   // what the pairs of a block add up to; of the work of forces without factors of the particles
+  struct PairWork {
+    Pack viscous, corrected, hourglass;
+  };
   struct Sums {
     Tensors displacement, velocity;    // sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
-    Pack viscous, corrected, hourglass;
+    PairWork work;
   };
   // NONE; what is due: with the velocities of the last evaluation and these; of displacements
   enum class Work { NONE, DUE, WHOLE };
   template <Work WORK> Sums accumulate(int block) const;
   template <Work WORK>
   void add_work(int slot, int block, bool nearest, const double *i, const double *j,
-                const Components<D> &, Sums &) const;
+                const Components<D> &, PairWork &) const;
   template <Work WORK>
   Pack corrected_power(const double *i, const double *j, const Components<D> &) const;
   // of a pair of nearest partners: what its force is along, and what it is times m_i/2
@@ -251,6 +264,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void enter_block(int block, Pack mass, int n, const Power &, bool early, Totals &) const;
   void enter_due(const Totals &late);
   Tensors block_virial(const Particles &, int block, const Batch &) const;
+  void prefetch_points(const Particles &, int block, const Batch &) const;
   static void repeat_last(Sums &, int n);
   template <bool LATE>
   int update(const Particles &, int block, const Batch &, int n, double dt, Totals &);

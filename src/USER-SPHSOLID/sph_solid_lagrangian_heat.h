@@ -17,7 +17,8 @@ namespace {
 template <int D>
 template <typename LagrangianSweeps<D>::Work WORK>
 inline void LagrangianSweeps<D>::add_work(int s, int block, bool nearest, const double *i,
-                                          const double *j, const Components<D> &d, Sums &sums) const
+                                          const double *j, const Components<D> &d,
+                                          PairWork &work) const
 {
   const std::size_t k = s * std::size_t(LANES);
   Pack along = 0.0;    // velocities along distances when the forces were found
@@ -26,12 +27,12 @@ inline void LagrangianSweeps<D>::add_work(int s, int block, bool nearest, const 
     along = multiply_add(d.v[a], x, along);
   }
   const Pack weighted = along * component(j, WEIGHT);
-  if (opt.hourglass > 0.0) sums.hourglass = multiply_add(load(&damp[k]), weighted, sums.hourglass);
+  if (opt.hourglass > 0.0) work.hourglass = multiply_add(load(&damp[k]), weighted, work.hourglass);
   if (keeps_pairs())
-    sums.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), weighted, sums.viscous);
+    work.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), weighted, work.viscous);
   if (nearest)
-    sums.corrected =
-        multiply_add(near_factor(s, block), corrected_power<WORK>(i, j, d), sums.corrected);
+    work.corrected =
+        multiply_add(near_factor(s, block), corrected_power<WORK>(i, j, d), work.corrected);
 }
 
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
@@ -112,8 +113,8 @@ typename LagrangianSweeps<D>::Power LagrangianSweeps<D>::power(int block, Pack m
                                                                const Sums &sums) const
 {
   const Tensors sigma_C = tensor(columns.at(block * LANES), T);
-  return {V0 * sums.velocity.cwiseProduct(sigma_C).sum(), 0.5 * V0 * sums.viscous,
-          -0.25 * mass * sums.corrected, -0.5 * V0 * sums.hourglass};
+  return {V0 * sums.velocity.cwiseProduct(sigma_C).sum(), 0.5 * V0 * sums.work.viscous,
+          -0.25 * mass * sums.work.corrected, -0.5 * V0 * sums.work.hourglass};
 }
 
 // early: is it of the velocities of the last evaluation and these?
@@ -195,7 +196,7 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
   Scratch scratch;
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::size_t k = s * std::size_t(LANES);
-    const double *j = neighbors(s, block, scratch);
+    const double *j = neighbors(s, block, at_da(), scratch);
     const Components<D> d = motion(i, j);
     const Pack weight = component(j, WEIGHT);
     Pack reference[D], f[D], central = 0.0;

@@ -11,6 +11,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <numeric>
+
 namespace {
 
 // below this det M a particle has no partners to speak of and B = 1.  Corners
@@ -21,13 +23,21 @@ constexpr double DET_FALLBACK = 0.005;
 // falls below this
 constexpr double LEAST_STRETCH = 0.01;
 
+// slots that have room for this many times the pairs of a body are reason to look for a better
+// order of its particles
+constexpr double WORTH_ANOTHER_ORDER = 1.25;
+
+// neighbors in position are neighbors in memory, too, for which some more slots are a fair price
+constexpr double MUCH_WORSE = 1.1;
+
 // the time step shrinks with the least principal stretch, but not further than
 // this: a Courant number of 0.6 is then still stable
 constexpr double STEP_STRETCH = 0.05;
 
 /* ----------------------------------------------------------------------
-   columns: own particles by ID, so that a lattice is in order however LAMMPS has
-   sorted its particles, or particles have come from other ranks; ghosts; images
+   columns: own particles, ghosts, images.  In the order of IDs a lattice is row by row, turned
+   or not, as create_atoms has made it, however LAMMPS sorts its particles or moves them
+   between ranks.  Where IDs say nothing, rows along x of the reference often do
 ------------------------------------------------------------------------- */
 
 inline std::int64_t id_of(const Particles &p, int i)
@@ -36,22 +46,39 @@ inline std::int64_t id_of(const Particles &p, int i)
 }
 
 template <int D>
-void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list)
+void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list,
+                                        const std::vector<double> &reference, bool by_position)
 {
-  nparticles = p.nall;
-  auto sort_by_id = [&](std::vector<int> &particles) {
-    auto before = [&](int i, int j) {
-      return id_of(p, i) < id_of(p, j);
-    };
-    if (!std::is_sorted(particles.begin(), particles.end(), before))
-      std::stable_sort(particles.begin(), particles.end(), before);
+  struct Place {
+    std::int64_t key[D];    // from the slowest on
+    double x;
+    int i;
+    bool operator<(const Place &b) const
+    {
+      for (int a = 0; a < D; a++)
+        if (key[a] != b.key[a]) return key[a] < b.key[a];
+      return x < b.x;
+    }
   };
+  auto sort = [&](std::vector<int> &particles) {
+    std::vector<Place> places;
+    for (const int i : particles) {
+      Place place = {{}, by_position ? reference[i * D] : 0.0, i};
+      if (!by_position) place.key[0] = id_of(p, i);
+      for (int a = 1; a < D && by_position; a++)    // no row is as thick as half a spacing
+        place.key[D - 1 - a] =
+            std::llround(reference[i * D + a] / (0.5 * types[p.type[i]].spacing));
+      places.push_back(place);
+    }
+    std::stable_sort(places.begin(), places.end());
+    for (std::size_t k = 0; k < places.size(); k++) particles[k] = places[k].i;
+  };
+
   own.assign(list.ilist, list.ilist + list.inum);
   std::vector<int> ghosts;
   for (int i = p.nlocal; i < p.nall; i++) ghosts.push_back(i);
-  sort_by_id(own);
-  sort_by_id(ghosts);
-
+  sort(own);
+  sort(ghosts);
   column_of.assign(p.nall + images.count(), -1);
   int column = 0;
   for (const int i : own) column_of[i] = column++;
@@ -101,7 +128,7 @@ template <int D>
 std::vector<double> LagrangianSweeps<D>::place_references(const Particles &p,
                                                           const NeighborRows &list) const
 {
-  std::vector<double> reference(column_of.size() * D);
+  std::vector<double> reference((p.nall + images.count()) * std::size_t(D));
   for (int i = 0; i < p.nall; i++)
     for (int a = 0; a < D; a++) reference[i * D + a] = p.xref[i][a];
   if (p.period[0] > 0.0 || p.period[1] > 0.0 || p.period[2] > 0.0)
@@ -132,7 +159,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
   Tensor<D> moment[LANES];    // M
   double nsum[LANES];         // n of the correction: sum m_j Wbar
 
-  static constexpr std::int64_t IMAGES_LAST = std::int64_t(1) << 62;
+  static constexpr std::int64_t PLACES = 1 << 10;    // more than a kernel has spacings
 
   // X_i - X_j of two rows
   Vector<D> separation(int i, int j) const
@@ -154,10 +181,20 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       const bool near = r < 0.5 * (near_support(i) + near_support(j));
       if (near != nearest || (!nearest && r >= SUPPORT * h)) continue;
       if (j >= p.nall && r < COINCIDE * h) continue;    // on the plane: its own image
-      const std::int64_t apart = id_of(p, of.source_of(j)) - id_of(p, i);
-      to.push_back({j, of.column_of[j], nearest && of.needs_correction(),
-                    j < p.nall ? apart : apart + IMAGES_LAST, r});
+      to.push_back({j, of.column_of[j], nearest && of.needs_correction(), direction(i, j),
+                    id_of(p, of.source_of(j)) - id_of(p, i), r});
     }
+  }
+
+  // of particles on a lattice the same number for partners that lie alike: how many spacings j is
+  // from i in the reference; images last.  Not halves, which rounding would tell apart
+  std::int64_t direction(int i, int j) const
+  {
+    std::int64_t number = j < p.nall ? 0 : 1;
+    const Vector<D> X = separation(j, i);
+    for (int a = D - 1; a >= 0; a--)
+      number = number * PLACES + std::llround(X[a] / type(i).spacing + 0.01) + PLACES / 2;
+    return number;
   }
 
   void collect(int block)
@@ -172,6 +209,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
         add(partners[m], i, list.numneigh[i], list.firstneigh[i], nearest);
         add(partners[m], i, nimage, image, nearest);
       }
+      std::sort(partners[m].begin(), partners[m].end(), comes_before);
     }
   }
 
@@ -187,6 +225,9 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
   {
     nslots = nearest = gathered = 0;
     collect(block);
+    for (int m = 0; m < LANES; m++)
+      if (m < of.particles_of(block))
+        of.slots.count[block * LANES + m] = static_cast<int>(partners[m].size());
     arrange(partners, block * LANES, [&](bool side_by_side, int, const int *which) {
       nslots++;
       if (!side_by_side) gathered++;
@@ -216,6 +257,12 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       near++;
     });
     correct(block);
+    for (int k = slots.first[block]; k < s; k++) {
+      slots.ahead[k] = 1;
+      for (int l = slots.first[block]; l < s; l++)
+        if (slots.offset[l] > slots.offset[k] && slots.offset[l] <= slots.offset[k] + LANES)
+          slots.ahead[k] = 0;
+    }
   }
 
   // what is constant of a pair
@@ -226,7 +273,6 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     const std::size_t k = static_cast<std::size_t>(slot) * LANES + m;
     of.slots.factor[k] = CubicSpline<D>::gradient_factor(partner.r, h) / of.unit_factor();
     of.slots.nearness[k] = q / (q * q + MU_EPSILON);
-    of.slots.count[block * LANES + m]++;
     const Vector<D> X = separation(i, partner.row);
     moment[m] -= of.slots.factor[k] * of.columns.get(partner.column, WEIGHT) * X * X.transpose();
     if (!partner.nearest) return;
@@ -259,31 +305,47 @@ template <int D>
 void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
 {
   Base::find_image_candidates(p, list, p.xref, reach);
-  place_columns(p, list);
-  columns.resize(end_of_columns, components());
+  nparticles = p.nall;
   const std::vector<double> reference = place_references(p, list);
+  std::vector<int> gathered = count_slots(p, list, reference, false);
+  const int by_id = slots.first.back();
+  const std::int64_t pairs =
+      std::accumulate(slots.count.begin(), slots.count.end(), std::int64_t(0));
+  if (by_id * std::int64_t(LANES) > WORTH_ANOTHER_ORDER * pairs) {
+    gathered = count_slots(p, list, reference, true);
+    if (slots.first.back() > MUCH_WORSE * by_id) gathered = count_slots(p, list, reference, false);
+  }
+  size_storage(gathered.back());
   for (std::size_t row = 0; row < column_of.size(); row++) {
     if (column_of[row] < 0) continue;
     for (int a = 0; a < D; a++) columns.set(column_of[row], REFERENCE + a, reference[row * D + a]);
     columns.set(column_of[row], WEIGHT, p.vref[source_of(row)] * unit_factor());
   }
+  each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
+    arranging.fill(block, gathered[block]);
+  });
+}
 
+// place columns and find out how many slots blocks have; returns the gathered ones before each
+// block, and all
+
+template <int D>
+std::vector<int> LagrangianSweeps<D>::count_slots(const Particles &p, const NeighborRows &list,
+                                                  const std::vector<double> &reference,
+                                                  bool by_position)
+{
+  place_columns(p, list, reference, by_position);
   slots.first.assign(blocks() + 1, 0);
   slots.near_first.assign(blocks() + 1, 0);
-  std::vector<int> gathered_first(blocks() + 1, 0);
+  slots.count.assign(end_of_own, 0);
+  std::vector<int> gathered(blocks() + 1, 0);
   each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
     arranging.count(block, slots.first[block + 1], slots.near_first[block + 1],
-                    gathered_first[block + 1]);
+                    gathered[block + 1]);
   });
-  for (int block = 0; block < blocks(); block++) {
-    slots.first[block + 1] += slots.first[block];
-    slots.near_first[block + 1] += slots.near_first[block];
-    gathered_first[block + 1] += gathered_first[block];
-  }
-  size_storage(gathered_first.back());
-  each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
-    arranging.fill(block, gathered_first[block]);
-  });
+  for (std::vector<int> *n : {&slots.first, &slots.near_first, &gathered})
+    std::partial_sum(n->begin(), n->end(), n->begin());
+  return gathered;
 }
 
 // call(Arranging, block), one of them per thread
@@ -308,14 +370,15 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
 {
   const std::size_t pairs = static_cast<std::size_t>(slots.first.back()) * LANES;
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
+  columns.resize(end_of_columns, components());
   slots.offset.resize(slots.first.back());
+  slots.ahead.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);
-  slots.count.assign(end_of_own, 0);
   slots.factor.assign(pairs, 0.0f);
   slots.nearness.assign(pairs, 0.0f);
   near_weight.assign(near, 0.0);
   if (safe()) near_pull.assign(near, 0.0);
-  if (opt.hourglass > 0.0) damp.assign(pairs, 0.0f);
+  if (opt.hourglass > 0.0) damp.assign(pairs, 0.0);
   B.resize(static_cast<std::size_t>(end_of_own) * D * D);
   if (!viscous()) F.resize(static_cast<std::size_t>(end_of_own) * D * D);
   mu_max.assign(end_of_own, 0.0);
@@ -423,9 +486,7 @@ template <int D> Overload LagrangianSweeps<D>::overload(const Particles &p, int 
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
   double bytes = columns.memory_usage() + slots.memory_usage();
-  for (const SingleRows *rows : {&damp, &pull})
-    bytes += static_cast<double>(rows->capacity() * sizeof(float));
-  for (const Rows *rows : {&B, &F, &near_weight, &near_pull, &mu_max, &early})
+  for (const Rows *rows : {&B, &F, &damp, &pull, &near_weight, &near_pull, &mu_max, &early})
     bytes += static_cast<double>(rows->capacity() * sizeof(double));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }

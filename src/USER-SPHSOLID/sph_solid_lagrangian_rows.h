@@ -48,14 +48,19 @@ template <int D> void LagrangianSweeps<D>::mirror_vectors(int component)
 
 // columns from[0], from[1], ... side by side
 
-template <int D> const double *LagrangianSweeps<D>::gather(const int *from, Scratch &scratch) const
+template <int D>
+const double *LagrangianSweeps<D>::gather(const int *from, int last, Scratch &scratch) const
 {
   const double *at[LANES];
   for (int m = 0; m < LANES; m++) at[m] = columns.at(from[m]);
-  for (int c = 0; c < columns.components(); c++)
-    store(scratch.of + c * NEXT, pack_of([&](int m) {
-            return at[m][c * NEXT];
-          }));
+  auto copy = [&](int c, int end) {
+    for (; c < end; c++)
+      store(scratch.of + c * NEXT, pack_of([&](int m) {
+              return at[m][c * NEXT];
+            }));
+  };
+  copy(0, last);
+  copy(std::max(last, at_da()), columns.components());
   return scratch.of;
 }
 

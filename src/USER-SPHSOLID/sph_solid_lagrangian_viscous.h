@@ -24,7 +24,7 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
     Pack rest2 = 0.0, linear2 = 0.0;
     Scratch scratch;
     for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
-      const double *j = neighbors(s, block, scratch);
+      const double *j = neighbors(s, block, at_da(), scratch);
       const Components<D> d = motion(i, j);
       Pack reference[D];
       difference(i, j, REFERENCE, reference);
@@ -46,8 +46,8 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
 template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const NeighborRows &)
 {
   mirror_vectors(at_da());
-  if (this->keeps_heat)
-    for (int column = 0; column < end_of_columns; column += LANES)
+  if (this->keeps_heat)    // own particles have it from the force sweep
+    for (int column = end_of_own; column < end_of_columns; column += LANES)
       for (int a = 0; a < D; a++)
         columns.store(column, at_early() + a, component(columns.at(column), V + a));
   each_block([&](int block, const Batch &batch, int n, Totals &) {
@@ -58,7 +58,7 @@ template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const 
     for (int a = 0; a < D; a++) f[a] = 0.0;
     Scratch scratch;
     for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
-      const double *j = neighbors(s, block, scratch);
+      const double *j = neighbors(s, block, T, scratch);
       const Pack w = near_factor(s, block);
       for (int a = 0; a < D; a++) f[a] += w * corrected_along(i, j, a);
     }
@@ -77,8 +77,8 @@ template <int D> void LagrangianSweeps<D>::near_weights(int block)
   for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
     double *at = &near_weight[near_place(s, block)];
     const Pack m_wbar = load(at), n_i = component(i, LAST);
-    const Pack w =
-        correction_weight(opt.weights, m_wbar, n_i, component(neighbors(s, block, scratch), LAST));
+    const Pack w = correction_weight(opt.weights, m_wbar, n_i,
+                                     component(neighbors(s, block, FIXED, scratch), LAST));
     store(at, where_positive(m_wbar, w, Pack(0.0)));
   }
 }
@@ -90,7 +90,7 @@ template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
   const double *i = columns.at(block * LANES);
   Scratch scratch;
   for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
-    const double *j = neighbors(s, block, scratch);
+    const double *j = neighbors(s, block, T, scratch);
     const Components<D> d = motion(i, j);
     Pack a[D], ax = 0.0;
     difference(i, j, at_da(), a);

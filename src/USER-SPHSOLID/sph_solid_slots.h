@@ -22,14 +22,16 @@ namespace SPHSolid {
 struct Partner {
   int row;    // local index, or that of an image
   int column;
-  bool nearest;          // of the acceleration correction
-  std::int64_t apart;    // ID less that of the particle; images come last
-  double r;              // distance in the reference
+  bool nearest;              // of the acceleration correction
+  std::int64_t direction;    // of partners that lie alike the same; decides on their order
+  std::int64_t apart;        // and where that is equal: ID less that of the particle
+  double r;                  // distance in the reference
 };
 
 inline bool comes_before(const Partner &a, const Partner &b)
 {
-  return a.nearest != b.nearest ? a.nearest : a.apart < b.apart;
+  if (a.nearest != b.nearest) return a.nearest;
+  return a.direction != b.direction ? a.direction < b.direction : a.apart < b.apart;
 }
 
 // a gathered slot takes as long as some four others; less than so many partners are not worth it
@@ -73,6 +75,7 @@ struct Slots {
   std::vector<int>
       near_first;               // the same among slots that have nearest partners: a block's first
   std::vector<int> offset;      // columns that the neighbors are further, or GATHERED + n
+  std::vector<char> ahead;      // the foremost of those that read the same columns
   std::vector<int> gathered;    // LANES columns each
   std::vector<int> count;       // partners of each column
 

@@ -23,12 +23,13 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
 {
   const double *i = columns.at(block * LANES);
   const int near_end = slots.first[block] + slots.nearest(block);
+  const int last = keeps_pairs() ? FIXED : T;    // of what is read of neighbors
   TensorSums<D> displacement, velocity;
-  Sums sums;
+  PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   Scratch scratch;
-  sums.viscous = sums.corrected = sums.hourglass = Pack(0.0);
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
-    const double *j = neighbors(s, block, scratch);
+    const double *j = neighbors(s, block, last, scratch);
+    prefetch_ahead(s, j, 0, T);
     const Components<D> d = motion(i, j);
     const Pack F = factor(s, j);
     Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
@@ -39,11 +40,9 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
     }
     displacement.add(u, g);
     velocity.add(d.v, g);
-    if (WORK != Work::NONE) add_work<WORK>(s, block, s < near_end, i, j, d, sums);
+    if (WORK != Work::NONE) add_work<WORK>(s, block, s < near_end, i, j, d, work);
   }
-  sums.displacement = displacement.tensor();
-  sums.velocity = velocity.tensor();
-  return sums;
+  return {displacement.tensor(), velocity.tensor(), work};
 }
 
 template <int D>
@@ -96,9 +95,7 @@ template <int D> void LagrangianSweeps<D>::repeat_last(Sums &sums, int n)
       repeat(sums.displacement(a, b));
       repeat(sums.velocity(a, b));
     }
-  repeat(sums.viscous);
-  repeat(sums.corrected);
-  repeat(sums.hourglass);
+  for (Pack *of : {&sums.work.viscous, &sums.work.corrected, &sums.work.hourglass}) repeat(*of);
 }
 
 // constitutive update of a block and what their neighbors read; the
@@ -109,7 +106,9 @@ template <bool LATE>
 int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batch, int n, double dt,
                                 Totals &totals)
 {
-  Sums sums = accumulate < LATE ? Work::DUE : Work::NONE > (block);
+  prefetch_points(p, block, batch);
+  constexpr Work WORK = LATE ? Work::DUE : Work::NONE;
+  Sums sums = accumulate<WORK>(block);
   if (n < LANES) repeat_last(sums, n);
   const Tensors correction = load_tensors(B, block);
   const Tensors Fi = Tensors::Identity() + sums.displacement * correction;
@@ -150,6 +149,21 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   if (needs_switch(pair_form(opt.viscosity)))
     columns.store(column, LAST, Base::own_switch(rate * inverse, c, h));
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
+}
+
+// what the block after the next one needs, if its particles lie behind these
+
+template <int D>
+void LagrangianSweeps<D>::prefetch_points(const Particles &p, int block, const Batch &batch) const
+{
+  const int next = batch.i[0] + 2 * LANES;
+  if (!batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal) return;
+  prefetch(p.stress[next], 6 * LANES);
+  const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume, p.vref};
+  for (const double *array : arrays) prefetch(array + next, LANES);
+  prefetch(&B[(block + 2) * D * D * LANES], D * D * LANES);
+  const double *at = columns.at((block + 2) * LANES);
+  for (int c = T; c < at_da(); c++) __builtin_prefetch(at + c * NEXT, 1);
 }
 
 /* ----------------------------------------------------------------------
@@ -195,7 +209,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   constexpr int C_AT = FIXED, R_AT = C_AT + (VISCOUS ? D * D : 0);
   const double *i = columns.at(block * LANES);
   const float *factors = slots.factor.data(), *near = slots.nearness.data();
-  float *damping = damp.data(), *pulls = pull.data();
+  double *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double a1 = opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
   const Pack zero(0.0), one(1.0);
@@ -206,7 +220,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
 
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
-    const double *j = neighbors(s, block, scratch);
+    const double *j = neighbors(s, block, at_da(), scratch);
+    prefetch_ahead(s, j, 0, R_AT + (RATES ? D * D : 0));
     const Pack f = load(factors + k), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
     difference(i, j, REFERENCE, X);
@@ -229,8 +244,9 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       li = along_sum(i, j, R_AT, d.x, X);
     if (HOURGLASS) {
       const Pack impedance = damping_share * (component(i, IMPEDANCE) + component(j, IMPEDANCE));
-      const Pack q =
-          weight * store_rounded(damping + k, impedance * f * (vr - 0.5 * (li + lj)) * inv_r2);
+      const Pack per_weight = impedance * f * (vr - 0.5 * (li + lj)) * inv_r2;
+      store(damping + k, per_weight);
+      const Pack q = weight * per_weight;
       hourglass_power = multiply_add(q, vr, hourglass_power);
       d.add_to(central, q);
     }
@@ -243,9 +259,9 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       Pack Pi = rho * mu * (a2 * mu - a1 * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
       const Pack G = 0.5 * f * along_sum(i, j, C_AT, d.x, X);
-      Pack q = Pi * minimum(G, zero) * inv_r2;
-      if (keep) q = store_rounded(pulls + k, q);
-      q *= weight;    // V0_j Pi G
+      const Pack per_weight = Pi * minimum(G, zero) * inv_r2;
+      if (keep) store(pulls + k, per_weight);
+      const Pack q = weight * per_weight;    // V0_j Pi G
       if (keep) viscous_power = multiply_add(heated_pull(i, j, q), vr, viscous_power);
       const Pack whole = alone ? whole_pull(i, j, q) : zero;
       if (alone) d.add_to(central, -whole);
@@ -264,7 +280,10 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   }
   if (VISCOUS && correct) {
     const Pack per_mass = V0 / batch.load(p.mass);
-    for (int a = 0; a < D; a++) columns.store(block * LANES, at_da() + a, per_mass * replaced[a]);
+    for (int a = 0; a < D; a++) {
+      columns.store(block * LANES, at_da() + a, per_mass * replaced[a]);
+      if (this->keeps_heat) columns.store(block * LANES, at_early() + a, component(i, V + a));
+    }
   }
   add_forces(p, batch, n, stress);
   store(&mu_max[block * LANES], -mu_least);

@@ -266,7 +266,7 @@ inline void store(double *to, Pack v)
   std::memcpy(to, &v.native(), sizeof(Native));
 }
 
-// the same in single precision, and what a number is that has been stored so
+// the same from single precision
 
 #ifdef SPHSOLID_PORTABLE_VECTOR
 inline Pack load(const float *from)
@@ -274,10 +274,6 @@ inline Pack load(const float *from)
   return Pack(each_lane([from](int k) {
     return static_cast<double>(from[k]);
   }));
-}
-inline void store(float *to, Pack v)
-{
-  for (int k = 0; k < LANES; k++) to[k] = static_cast<float>(v[k]);
 }
 #else
 typedef float NativeSingle __attribute__((vector_size(LANES * sizeof(float))));
@@ -288,22 +284,7 @@ inline Pack load(const float *from)
   std::memcpy(&n, from, sizeof(n));
   return Pack(__builtin_convertvector(n, Native));
 }
-inline void store(float *to, Pack v)
-{
-  const NativeSingle n = __builtin_convertvector(v.native(), NativeSingle);
-  std::memcpy(to, &n, sizeof(n));
-}
 #endif
-
-inline Pack store_rounded(float *to, Pack v)
-{
-  store(to, v);
-#ifdef SPHSOLID_PORTABLE_VECTOR
-  return load(to);
-#else
-  return Pack(__builtin_convertvector(__builtin_convertvector(v.native(), NativeSingle), Native));
-#endif
-}
 
 // value(lane) of each.  Not by way of an array: its load would have to wait for the stores
 
