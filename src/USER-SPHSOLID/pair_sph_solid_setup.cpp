@@ -134,7 +134,8 @@ void PairSPHSolid::init_style()
   sweeps->ledger = *kept;
   evaluated_own = evaluated_all = -1;
   sweeps->nthreads = comm->nthreads;
-  comm_forward = std::max(3, sweeps->message_size(Message::STRESS));    // the largest of all messages
+  comm_forward =
+      std::max(3, sweeps->message_size(Message::STRESS));    // the largest of all messages
   collect_planes();
   if (options->frame == Frame::LAGRANGIAN) {
     create_partners();

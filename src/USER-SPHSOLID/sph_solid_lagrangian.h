@@ -63,7 +63,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void add_due_heat(const Particles &, const NeighborRows &) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
-  double sound_speed(int i) const override { return columns.get(column_of[i], SOUND); }
   int neighbor_count(int i) const override;
   Overload find_overload(const Particles &) const override;
   double memory_usage() const override;
@@ -71,7 +70,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
  private:
   using Base = PointSweeps<D>;
   using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nthreads,
-      Base::opt, Base::safe, Base::types;
+      Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::types;
   using Batch = typename Base::Batch;
   using Totals = typename Base::Totals;
   using Tensors = Tensor<D, Pack>;
@@ -105,7 +104,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   Rows near_pull;        // weights safe: force on i = m_i/2 near_pull x_ij
   Rows mu_max, early;    // of own: largest approach rate; power of forces on their velocities
   Totals early_totals;
-  bool weights_known = false, lonely = false;    // a particle has no nearest partner
+  bool weights_known = false;
 
   // what is constant between two neighbor lists
   void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,
@@ -142,12 +141,13 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     return gather(&slots.gathered[(offset - Slots::GATHERED) * LANES], last, scratch);
   }
   const double *gather(const int *from, int last, Scratch &) const;
-  void prefetch_ahead(int slot, const double *j, int first, int last) const
+  // ask for what the blocks to come read of the columns that this slot reads
+  void prefetch_ahead(int slot, const double *j, int last) const
   {
-    if (!slots.ahead[slot]) return;
-    for (int c = first; c < last; c++) __builtin_prefetch(j + c * NEXT + AHEAD);
+    constexpr int AHEAD = 16;
+    if (!slots.foremost[slot]) return;
+    for (int c = 0; c < last; c++) prefetch(j + c * NEXT + AHEAD, 1);
   }
-  static constexpr int AHEAD = 16;
 
   // of the particles of a block, or of a slot's neighbors
   static Pack component(const double *at, int c) { return load(at + c * NEXT); }
@@ -191,7 +191,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) store(&of[((block * D + a) * D + b) * LANES], t(a, b));
   }
-  static void add_forces(const Particles &, const Batch &, int n, const Pack *f);
+  static void add_forces(const Particles &, const Batch &, const Pack *f);
   static Tensor<D> own_tensor(const Rows &, int column);
   void mirror_vectors(int component);
   int place_of(Message) const;
@@ -266,23 +266,16 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   Tensors block_virial(const Particles &, int block, const Batch &) const;
   void prefetch_points(const Particles &, int block, const Batch &) const;
   static void repeat_last(Sums &, int n);
-  template <bool LATE>
-  int update(const Particles &, int block, const Batch &, int n, double dt, Totals &);
-  void add_late_heat(const Particles &, int block, const Batch &, int n, const Sums &,
-                     Totals &) const;
+  template <bool LATE> int update(const Particles &, int block, const Batch &, double dt, Totals &);
+  void add_late_heat(const Particles &, int block, const Batch &, const Sums &, Totals &) const;
   Pack standard_power(const double *i, Pack mass, bool early) const;
 
   template <PairForm FORM, bool HOURGLASS> void force_blocks(const Particles &);
   template <PairForm FORM, bool HOURGLASS>
-  void force_block(const Particles &, int block, const Batch &, int n, Totals &);
+  void force_block(const Particles &, int block, const Batch &, Totals &);
 
-  // viscous forces of pairs: are they kept?  Are they heat as they are?  A compatible correction
-  // heats in a way of its own, but for pairs that it must not touch
-  bool keeps_pairs() const
-  {
-    if (!viscous()) return false;
-    return !needs_correction() || opt.heating == Heating::PRINTED || lonely;
-  }
+  // the part of a pair's viscous force that is heat as it is: a compatible correction heats in a
+  // way of its own, but for pairs that it must not touch
   Pack whole_pull(const double *i, const double *j, Pack pull) const;
   Pack heated_pull(const double *i, const double *j, Pack pull) const
   {
@@ -293,7 +286,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void safe_pulls(int block);
 
   Tensor<D> deformation_gradient(const Particles &, int column) const;
-  double step_factor(const Particles &, int column) const;
   Overload overload(const Particles &, int column) const;
 };
 

@@ -90,10 +90,10 @@ template <int D> bool LagrangianSweeps<D>::can_keep_heat() const
 
 template <int D> void LagrangianSweeps<D>::add_due_heat(const Particles &p, const NeighborRows &)
 {
-  const Totals totals = each_block([&](int block, const Batch &batch, int n, Totals &t) {
+  const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     Sums sums = accumulate<Work::DUE>(block);
-    if (n < LANES) repeat_last(sums, n);
-    add_late_heat(p, block, batch, n, sums, t);
+    if (batch.n < LANES) repeat_last(sums, batch.n);
+    add_late_heat(p, block, batch, sums, t);
   });
   enter_due(totals);
 }
@@ -129,16 +129,16 @@ void LagrangianSweeps<D>::enter_block(int block, Pack mass, int n, const Power &
   totals.hourglass += Base::sum_of_first(power.hourglass, n);
 }
 
-// what the last evaluation's forces do to the particles of a block, of whom n count in totals,
+// what the last evaluation's forces do to the particles of a block,
 // with the velocities of that evaluation plus these
 
 template <int D>
-void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Batch &batch, int n,
+void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Batch &batch,
                                         const Sums &sums, Totals &totals) const
 {
   const Pack mass = batch.load(p.mass);
   const Power late = power(block, mass, batch.load(p.vref), sums);
-  enter_block(block, mass, n, late, true, totals);
+  enter_block(block, mass, batch.n, late, true, totals);
   const Pack heat = load(&early[block * LANES]) + late.sum();
   batch.store(p.e, batch.load(p.e) + this->due.factor * heat / mass);
 }
@@ -151,13 +151,13 @@ template <int D>
 void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat, bool book)
 {
   mirror_vectors(V);
-  const Totals totals = each_block([&](int block, const Batch &batch, int n, Totals &t) {
+  const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     const Sums sums = accumulate<Work::WHOLE>(block);
     const Pack mass = batch.load(p.mass);
     const Power of_block = power(block, mass, batch.load(p.vref), sums);
-    enter_block(block, mass, n, of_block, false, t);
+    enter_block(block, mass, batch.n, of_block, false, t);
     const Pack all = of_block.sum();
-    for (int m = 0; m < n; m++) heat[batch.i[m]] = all[m];
+    for (int m = 0; m < batch.n; m++) heat[batch.i[m]] = all[m];
   });
   if (book) Base::enter(totals, 1.0);
 }

@@ -257,11 +257,20 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       near++;
     });
     correct(block);
-    for (int k = slots.first[block]; k < s; k++) {
-      slots.ahead[k] = 1;
-      for (int l = slots.first[block]; l < s; l++)
-        if (slots.offset[l] > slots.offset[k] && slots.offset[l] <= slots.offset[k] + LANES)
-          slots.ahead[k] = 0;
+    find_foremost(block);
+  }
+
+  // which of the slots that read nearly the same columns reads the last of them
+  void find_foremost(int block)
+  {
+    Slots &slots = of.slots;
+    const int first = slots.first[block], end = slots.first[block + 1];
+    for (int k = first; k < end; k++) {
+      slots.foremost[k] = slots.offset[k] < Slots::GATHERED / 2;
+      for (int l = first; l < end; l++) {
+        const int further = slots.offset[l] - slots.offset[k];
+        if (further > 0 && further <= LANES) slots.foremost[k] = 0;
+      }
     }
   }
 
@@ -372,7 +381,7 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
   columns.resize(end_of_columns, components());
   slots.offset.resize(slots.first.back());
-  slots.ahead.resize(slots.first.back());
+  slots.foremost.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);
   slots.factor.assign(pairs, 0.0f);
   slots.nearness.assign(pairs, 0.0f);

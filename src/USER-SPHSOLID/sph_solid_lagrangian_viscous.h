@@ -15,7 +15,7 @@ namespace {
 
 template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const NeighborRows &)
 {
-  each_block([&](int block, const Batch &batch, int, Totals &) {
+  each_block([&](int block, const Batch &batch, Totals &) {
     const double *i = columns.at(block * LANES);
     const Pack h = Base::of_types(p, batch, [&](int t) {
       return types[t].h;
@@ -50,7 +50,7 @@ template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const 
     for (int column = end_of_own; column < end_of_columns; column += LANES)
       for (int a = 0; a < D; a++)
         columns.store(column, at_early() + a, component(columns.at(column), V + a));
-  each_block([&](int block, const Batch &batch, int n, Totals &) {
+  each_block([&](int block, const Batch &batch, Totals &) {
     if (!weights_known) near_weights(block);
     if (safe()) safe_pulls(block);
     const double *i = columns.at(block * LANES);
@@ -63,7 +63,7 @@ template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const 
       for (int a = 0; a < D; a++) f[a] += w * corrected_along(i, j, a);
     }
     for (int a = 0; a < D; a++) f[a] *= 0.5 * batch.load(p.mass);
-    add_forces(p, batch, n, f);
+    add_forces(p, batch, f);
   });
   weights_known = true;
 }

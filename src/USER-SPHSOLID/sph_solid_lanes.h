@@ -273,25 +273,8 @@ template <> struct Motion<2> {
   Pack expanded_x() const { return shuffle<0, 0, 1, 1>(xv); }
   Pack expanded_v() const { return shuffle<2, 2, 3, 3>(xv); }
   Several<2> spread_x() const { return spread<2>(xv); }
-  // of x + X, X in the first lanes
-  Pack expanded_x_plus(Pack X) const { return shuffle<0, 0, 1, 1>(xv + X); }
-
-  // where it was a drift before; drift: from drift_of()
-  Motion before(Pack drift) const
-  {
-    Motion d;
-    d.xv = xv - drift * shuffle<2, 3, 2, 3>(xv);
-    return d;
-  }
-  static Pack drift_of(double t) { return shuffle<0, 1, 4, 5>(Pack(t), Pack(0.0)); }
-
   // products with x, summed: over lanes 0 and 1 x.x, over the others v.x
   Pack products() const { return xv * shuffle<0, 1, 0, 1>(xv); }
-  // the same, over the others only, with the velocities of one less those of another
-  Pack products_less(const Motion &other) const
-  {
-    return (xv - other.xv) * shuffle<0, 1, 0, 1>(xv);
-  }
   static double v_dot_x(Pack products)
   {
     const Pack s = sum_of_blocks(products);
@@ -324,21 +307,8 @@ template <> struct Motion<3> {
   Pack expanded_x() const { return position; }
   Pack expanded_v() const { return velocity; }
   Several<3> spread_x() const { return spread<3>(position); }
-  Pack expanded_x_plus(Pack X) const { return position + X; }
-
-  Motion before(Pack drift) const
-  {
-    Motion d;
-    d.position = position - drift * velocity;
-    d.velocity = velocity;
-    return d;
-  }
-  // what lies behind a velocity does not move anything
-  static Pack drift_of(double t) { return shuffle<0, 1, 2, 4>(Pack(t), Pack(0.0)); }
-
   // of v.x only
   Pack products() const { return velocity * position; }
-  Pack products_less(const Motion &other) const { return (velocity - other.velocity) * position; }
   static double v_dot_x(Pack products) { return sum(products); }
   static Components<3> components(const Motion *d)
   {

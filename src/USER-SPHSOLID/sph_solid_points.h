@@ -3,7 +3,7 @@
    constitutive update of some at a time, the energy ledger, the time step.
 
    A frame fills in how pairs are stored and summed: in rows of one particle
-   (sph_solid_sweeps_base.h, eulerian), or in columns of several particles
+   (sph_solid_row_sweeps.h, eulerian), or in columns of several particles
    (sph_solid_lagrangian.h).
 ------------------------------------------------------------------------- */
 
@@ -74,11 +74,18 @@ template <int D> class PointSweeps : public Sweeps {
   std::vector<int> image_first, image_j;    // candidates among the images
 
   void find_image_candidates(const Particles &, const NeighborRows &, double **x, double reach);
+  bool lonely = false;    // a particle here has no nearest neighbor: its viscosity stays whole
   bool safe() const { return needs_correction() && opt.weights == Weights::SAFE; }
   // m_j Wbar_ij; near: supports of Wbar of both, whose mean is that of the pair
   template <class Real> static Real wbar_mass(Real r, Real mass, Real near_i, Real near_j)
   {
     return mass * CubicSpline<D>::w(r, Real(0.25 * (near_i + near_j)));
+  }
+  // is the viscous force of every pair kept for heat?
+  bool keeps_pairs() const
+  {
+    if (opt.viscosity == Viscosity::NONE) return false;
+    return !needs_correction() || opt.heating == Heating::PRINTED || lonely;
   }
   double step_limit(int type, double rho, double c, double mu_max) const;
 

@@ -1,5 +1,5 @@
 /* ----------------------------------------------------------------------
-   What a neighbor reads of a particle, packed: one row of doubles each for
+   What a neighbor reads of a particle in the Eulerian frame, packed: one row of doubles each for
    own particles, ghosts and mirror images, in this order.
 
    A sweep reads its neighbors from here only, so that an image in a symmetry
@@ -26,16 +26,12 @@ template <int D> struct Blocks {
   static constexpr int at(int a, int b) { return (D == 2) ? 2 * a + b : 4 * b + a; }
 };
 
-// kinematic rows: the motion is filled before the gradient sweep, the rest stays as it is until
-// neighbors are new.  In three dimensions what follows a velocity in its block takes part in
-// no product with a position, whose last double is 0
+// kinematic row: the motion is filled before the gradient sweep, the rest stays as it is until
+// neighbors are new
 
-template <int D> struct MotionRow {
-  static constexpr int X = 0;                    // position
-  static constexpr int V = Blocks<D>::VECTOR;    // velocity at the half step; for heat: see there
-};
-
-template <int D> struct EulerianRow : MotionRow<D> {
+template <int D> struct Kinematics {
+  static constexpr int X = 0;                           // position
+  static constexpr int V = Blocks<D>::VECTOR;           // velocity; for heat: displacement
   static constexpr int MASS = 2 * Blocks<D>::VECTOR;    // mass
   static constexpr int VOLUME = MASS + 1;               // weight of the gradient sweep, this step's
   static constexpr int H = MASS + 2;                    // smoothing length
@@ -44,27 +40,23 @@ template <int D> struct EulerianRow : MotionRow<D> {
 };
 
 // stress row, filled by the constitutive update and sent to ghosts.
-// force on i from j: K_i K_j (T_i + T_j) grad W.  eulerian, gradient corrected:
-// K = V, T = sigma B^T; plain: K = m, T = sigma/rho^2 (eq. 19).  lagrangian, where
-// V0_i V0_j takes the place of K_i K_j: T = sigma C, C = J F^-T B^T, K = rho c_L h
+// force on i from j: K_i K_j (T_i + T_j) grad W.  Gradient corrected:
+// K = V, T = sigma B^T; plain: K = m, T = sigma/rho^2 (eq. 19)
 
 template <int D> struct Stress {
   static constexpr int T = 0;
-  static constexpr int K = Blocks<D>::TENSOR;    // weight, or impedance times h
+  static constexpr int K = Blocks<D>::TENSOR;    // weight
   static constexpr int RHO = K + 1;              // density
   static constexpr int C = K + 2;                // bulk sound speed
   static constexpr int NSUM = K + 3;             // n = sum m Wbar of the correction
   static constexpr int SWITCH = NSUM;            // in its place: of the viscosities that have one
   static constexpr int STRIDE = K + 4;
-  // followed by tensors that only some scenes need.  eulerian: R of the
-  // artificial stress; lagrangian: C, and F'
+  // followed by tensors that only some scenes need: R of the artificial stress, velocity gradient
 };
 
 // one pair list: row i holds count[i] pairs from first[i] on, of which the
 // first nearest[i] are nearest neighbors; after them up to a whole number of
-// vectors the last pair again, with factor 0.  grad_i W_ij = factor * (y_i - y_j),
-// where y are the positions the kernel belongs to: this step's (eulerian) or
-// those of the reference configuration (lagrangian, there times V0_j)
+// vectors the last pair again, with factor 0.  grad_i W_ij = factor * (x_i - x_j)
 
 struct Pairs {
   std::vector<int> first, count, nearest;

@@ -73,11 +73,11 @@ struct Slots {
 
   std::vector<int> first;    // slot of each block, and one behind the last
   std::vector<int>
-      near_first;               // the same among slots that have nearest partners: a block's first
-  std::vector<int> offset;      // columns that the neighbors are further, or GATHERED + n
-  std::vector<char> ahead;      // the foremost of those that read the same columns
-  std::vector<int> gathered;    // LANES columns each
-  std::vector<int> count;       // partners of each column
+      near_first;                // the same among slots that have nearest partners: a block's first
+  std::vector<int> offset;       // columns that the neighbors are further, or GATHERED + n
+  std::vector<char> foremost;    // of slots that read nearly the same columns, the last one
+  std::vector<int> gathered;     // LANES columns each
+  std::vector<int> count;        // partners of each column
 
   // LANES of each slot.  In single precision, since a step of a large body waits for memory.
   // They are the same seen from i and from j, and all that follows from them is computed in

@@ -175,7 +175,6 @@ class Sweeps {
 
   // per particle, own: for the time step and for output
   virtual double time_step_limit(const Particles &, const NeighborRows &) const = 0;
-  virtual double sound_speed(int i) const = 0;
   virtual int neighbor_count(int i) const = 0;
   virtual double memory_usage() const = 0;
 

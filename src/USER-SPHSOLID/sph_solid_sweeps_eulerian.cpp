@@ -3,7 +3,7 @@
    the present positions; see sph_solid_sweeps.h.
 ------------------------------------------------------------------------- */
 
-#include "sph_solid_sweeps_base.h"
+#include "sph_solid_row_sweeps.h"
 #include "sph_solid_tensile.h"
 
 #include <atomic>
@@ -17,10 +17,10 @@ namespace {
 // rod too early (0.03 of its kinetic energy at h = 1.3 spacings, 0.018 with 0.1)
 constexpr double DET_FALLBACK = 0.1;
 
-template <int D> class EulerianSweeps : public SweepsBase<D> {
+template <int D> class EulerianSweeps : public RowSweeps<D> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      SweepsBase<D>(o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
+      RowSweeps<D>(o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
   {
   }
 
@@ -36,7 +36,7 @@ template <int D> class EulerianSweeps : public SweepsBase<D> {
   }
 
  private:
-  using Base = SweepsBase<D>;
+  using Base = RowSweeps<D>;
   using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
       Base::kin, Base::krow, Base::lonely, Base::mu_max, Base::near_weight, Base::needs_correction,
       Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow, Base::str,
@@ -439,7 +439,7 @@ void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double
 
 template <int D>
 template <bool PULL, bool TENSILE>
-typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
+typename RowSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
   constexpr int R_AT = extra(0);
   const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
@@ -463,7 +463,7 @@ typename SweepsBase<D>::Power EulerianSweeps<D>::pair_power(int i) const
   }
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
-  return {si[Str::K] * stress, 0.5 * kin(i)[Kin::MASS] * Motion<D>::v_dot_x(viscous), 0.0};
+  return {si[Str::K] * stress, 0.5 * kin(i)[Kin::MASS] * Motion<D>::v_dot_x(viscous)};
 }
 
 template <int D>

@@ -29,7 +29,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
   Scratch scratch;
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const double *j = neighbors(s, block, last, scratch);
-    prefetch_ahead(s, j, 0, T);
+    prefetch_ahead(s, j, T);
     const Components<D> d = motion(i, j);
     const Pack F = factor(s, j);
     Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
@@ -50,16 +50,16 @@ int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &, doub
 {
   std::atomic<int> bad(-1);
   const bool late = this->due.factor > 0.0;
-  const Totals totals = each_block([&](int block, const Batch &batch, int n, Totals &t) {
-    const int unphysical = late ? update<true>(p, block, batch, n, dt, t)
-                                : update<false>(p, block, batch, n, dt, t);
+  const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
+    const int unphysical = late ? update<true>(p, block, batch, dt, t)
+                                : update<false>(p, block, batch, dt, t);
     if (unphysical >= 0) bad = unphysical;
   });
   enter_due(totals);
   return bad;
 }
 
-// call(block, its particles, how many of them there are, totals); the totals of all blocks
+// call(block, its particles, totals); the totals of all blocks
 
 template <int D>
 template <class Call>
@@ -73,7 +73,7 @@ typename LagrangianSweeps<D>::Totals LagrangianSweeps<D>::each_block(Call call)
 #endif
   for (int block = 0; block < blocks(); block++) {
     Totals t;
-    call(block, Batch(list, block * LANES), particles_of(block), t);
+    call(block, Batch(list, block * LANES), t);
     plastic += t.plastic;
     viscous += t.viscous;
     standard += t.standard;
@@ -103,23 +103,23 @@ template <int D> void LagrangianSweeps<D>::repeat_last(Sums &sums, int n)
 
 template <int D>
 template <bool LATE>
-int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batch, int n, double dt,
+int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batch, double dt,
                                 Totals &totals)
 {
   prefetch_points(p, block, batch);
   constexpr Work WORK = LATE ? Work::DUE : Work::NONE;
   Sums sums = accumulate<WORK>(block);
-  if (n < LANES) repeat_last(sums, n);
+  if (batch.n < LANES) repeat_last(sums, batch.n);
   const Tensors correction = load_tensors(B, block);
   const Tensors Fi = Tensors::Identity() + sums.displacement * correction;
   const Tensors rate = sums.velocity * correction;
   if (!viscous()) store_tensors(F, block, Fi);
-  if (LATE) add_late_heat(p, block, batch, n, sums, totals);
+  if (LATE) add_late_heat(p, block, batch, sums, totals);
 
   Tensors L = Tensors::Zero();
   if (dt > 0.0) L = rate * Tensors(Fi - Pack(0.5 * dt) * rate).inverse();
   const auto points = Base::update_points(p, batch, L, dt);
-  totals.plastic += Base::sum_of_first(points.plastic_work, n);
+  totals.plastic += Base::sum_of_first(points.plastic_work, batch.n);
 
   const Pack rho = points.state.rho, c = square_root(maximum(points.eos.c2, Pack(0.0)));
   const Pack V0 = batch.load(p.vref), J = batch.load(p.mass) / (rho * V0);
@@ -163,7 +163,7 @@ void LagrangianSweeps<D>::prefetch_points(const Particles &p, int block, const B
   for (const double *array : arrays) prefetch(array + next, LANES);
   prefetch(&B[(block + 2) * D * D * LANES], D * D * LANES);
   const double *at = columns.at((block + 2) * LANES);
-  for (int c = T; c < at_da(); c++) __builtin_prefetch(at + c * NEXT, 1);
+  for (int c = T; c < at_da(); c++) prefetch(at + c * NEXT, 1);
 }
 
 /* ----------------------------------------------------------------------
@@ -184,8 +184,8 @@ template <int D>
 template <PairForm FORM, bool HOURGLASS>
 void LagrangianSweeps<D>::force_blocks(const Particles &p)
 {
-  const Totals totals = each_block([&](int block, const Batch &batch, int n, Totals &t) {
-    force_block<FORM, HOURGLASS>(p, block, batch, n, t);
+  const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
+    force_block<FORM, HOURGLASS>(p, block, batch, t);
   });
   early_totals.viscous += totals.viscous;
   early_totals.standard += totals.viscous;
@@ -201,7 +201,7 @@ void LagrangianSweeps<D>::force_blocks(const Particles &p)
 
 template <int D>
 template <PairForm FORM, bool HOURGLASS>
-void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch &batch, int n,
+void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch &batch,
                                       Totals &totals)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
@@ -221,7 +221,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
     const double *j = neighbors(s, block, at_da(), scratch);
-    prefetch_ahead(s, j, 0, R_AT + (RATES ? D * D : 0));
+    prefetch_ahead(s, j, R_AT + (RATES ? D * D : 0));
     const Pack f = load(factors + k), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
     difference(i, j, REFERENCE, X);
@@ -285,19 +285,19 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       if (this->keeps_heat) columns.store(block * LANES, at_early() + a, component(i, V + a));
     }
   }
-  add_forces(p, batch, n, stress);
+  add_forces(p, batch, stress);
   store(&mu_max[block * LANES], -mu_least);
   if (!this->keeps_heat) return;
   const Pack viscous_heat = 0.5 * V0 * viscous_power, hourglass_heat = -0.5 * V0 * hourglass_power;
   store(&early[block * LANES], load(&early[block * LANES]) + viscous_heat + hourglass_heat);
-  totals.viscous += Base::sum_of_first(viscous_heat, n);
-  totals.hourglass += Base::sum_of_first(hourglass_heat, n);
+  totals.viscous += Base::sum_of_first(viscous_heat, batch.n);
+  totals.hourglass += Base::sum_of_first(hourglass_heat, batch.n);
 }
 
 template <int D>
-void LagrangianSweeps<D>::add_forces(const Particles &p, const Batch &batch, int n, const Pack *f)
+void LagrangianSweeps<D>::add_forces(const Particles &p, const Batch &batch, const Pack *f)
 {
-  for (int m = 0; m < n; m++)
+  for (int m = 0; m < batch.n; m++)
     for (int a = 0; a < D; a++) p.f[batch.i[m]][a] += f[a][m];
 }
 

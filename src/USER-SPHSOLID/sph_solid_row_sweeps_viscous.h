@@ -1,12 +1,12 @@
 /* ----------------------------------------------------------------------
-   What the sweeps of both frames share, second part: switch of a viscosity,
-   acceleration correction, heat.  Members of SweepsBase, which includes it.
+   Sweeps over rows, second part: switch of a viscosity, acceleration correction, heat.
+   Members of RowSweeps, which includes it.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_SPH_SOLID_SWEEPS_VISCOUS_H
-#define LMP_SPH_SOLID_SWEEPS_VISCOUS_H
+#ifndef LMP_SPH_SOLID_ROW_SWEEPS_VISCOUS_H
+#define LMP_SPH_SOLID_ROW_SWEEPS_VISCOUS_H
 
-#include "sph_solid_sweeps_base.h"
+#include "sph_solid_row_sweeps.h"
 
 namespace SPHSolid {
 
@@ -15,8 +15,8 @@ namespace SPHSolid {
 
 template <int D>
 template <class Along>
-void SweepsBase<D>::sum_switch(const Particles &p, const NeighborRows &list, int at_rate,
-                               Along along)
+void RowSweeps<D>::sum_switch(const Particles &p, const NeighborRows &list, int at_rate,
+                              Along along)
 {
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
@@ -53,7 +53,7 @@ void SweepsBase<D>::sum_switch(const Particles &p, const NeighborRows &list, int
   }
 }
 
-template <int D> void SweepsBase<D>::mirror_switch()
+template <int D> void RowSweeps<D>::mirror_switch()
 {
   for (int k = 0; k < nrows - nparticles; k++)
     str(nparticles + k)[Str::SWITCH] = str(images.source_of(k))[Str::SWITCH];
@@ -63,7 +63,7 @@ template <int D> void SweepsBase<D>::mirror_switch()
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D> void SweepsBase<D>::correction(const Particles &p, const NeighborRows &list)
+template <int D> void RowSweeps<D>::correction(const Particles &p, const NeighborRows &list)
 {
   mirror_vectors(da.data(), VECTOR);
   if (safe()) near_pull.resize(near_weight.size());
@@ -86,7 +86,7 @@ template <int D> void SweepsBase<D>::correction(const Particles &p, const Neighb
 
 // the same with weights safe; the sum in the first lanes
 
-template <int D> Pack SweepsBase<D>::central_correction(int i)
+template <int D> Pack RowSweeps<D>::central_correction(int i)
 {
   double sum[LANES] = {};
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++) {
@@ -113,7 +113,7 @@ template <int D> Pack SweepsBase<D>::central_correction(int i)
 
 template <int D>
 template <class OfRow>
-void SweepsBase<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_row) const
+void RowSweeps<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_row) const
 {
   const double *kall = krow.data();
   const int *neighbor = pairs.j.data();
@@ -147,7 +147,7 @@ void SweepsBase<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_r
 
 // what the correction puts on i for its nearest neighbor in a pair, expanded
 
-template <int D> inline Pack SweepsBase<D>::near_force(int i, int pair, const Motion<D> &d) const
+template <int D> inline Pack RowSweeps<D>::near_force(int i, int pair, const Motion<D> &d) const
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
   if (safe()) return Pack(half * near_pull[pair]) * d.expanded_x();
@@ -165,12 +165,12 @@ template <int D> inline Pack SweepsBase<D>::near_force(int i, int pair, const Mo
 
 template <int D>
 template <class OfRow>
-void SweepsBase<D>::sum_heat(const NeighborRows &list, double *heat, bool book, OfRow of_row)
+void RowSweeps<D>::sum_heat(const NeighborRows &list, double *heat, bool book, OfRow of_row)
 {
   mirror_vectors(&krow[Kin::V], Kin::STRIDE);
-  double viscous = 0.0, standard = 0.0, damped = 0.0;
+  double viscous = 0.0, standard = 0.0;
 #if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, standard, damped)
+#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, standard)
 #endif
   for (int ii = 0; ii < list.inum; ii++) {
     const int i = list.ilist[ii];
@@ -179,27 +179,19 @@ void SweepsBase<D>::sum_heat(const NeighborRows &list, double *heat, bool book, 
     if (needs_correction()) {
       // what the standard viscosity would heat: q has all of it for eq. 30,
       // else the pairs that no correction touches
-      q += lonely_power(
-          i,
-          [&](int j, int a) {
-            return u(i)[a] - u(j)[a];
-          },
-          [&](int j, int a) {
-            return kin(i)[a] - kin(j)[a];
-          });
+      q += lonely_power(i);
       standard += q + standard_power(i, u(i));
       q += heat_correction(i);
     }
-    heat[i] = power.stress + q + power.hourglass;
+    heat[i] = power.stress + q;
     viscous += q;
-    damped += power.hourglass;
   }
-  if (book) Base::enter({0.0, viscous, standard, damped}, 1.0);
+  if (book) Base::enter({0.0, viscous, standard, 0.0}, 1.0);
 }
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D> double SweepsBase<D>::standard_power(int i, const double *u) const
+template <int D> double RowSweeps<D>::standard_power(int i, const double *u) const
 {
   if (opt.heating != Heating::COMPATIBLE) return 0.0;
   double power = 0.0;
@@ -209,7 +201,7 @@ template <int D> double SweepsBase<D>::standard_power(int i, const double *u) co
 
 // the force coefficient of pairs that no correction replaces
 
-template <int D> double SweepsBase<D>::whole_pull(int i, int pair) const
+template <int D> double RowSweeps<D>::whole_pull(int i, int pair) const
 {
   if (!keeps_pairs()) return 0.0;
   if (needs_correction() && !is_lonely(i) && !is_lonely(pairs.j[pair])) return 0.0;
@@ -219,7 +211,7 @@ template <int D> double SweepsBase<D>::whole_pull(int i, int pair) const
 // standard viscosity of the pairs that the correction must not touch: one of
 // the two has no nearest neighbor.  Symmetric, so momentum stays exact
 
-template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
+template <int D> void RowSweeps<D>::lonely_pairs(const Particles &p, int i)
 {
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const double s = whole_pull(i, k);
@@ -228,19 +220,16 @@ template <int D> void SweepsBase<D>::lonely_pairs(const Particles &p, int i)
   }
 }
 
-// half the work of the pairs that a compatible correction leaves alone; du(j, a), dx(j, a):
-// components of u_i - u_j and x_i - x_j
+// half the work of the pairs that a compatible correction leaves alone
 
-template <int D>
-template <class Moved, class Apart>
-double SweepsBase<D>::lonely_power(int i, Moved du, Apart dx) const
+template <int D> double RowSweeps<D>::lonely_power(int i) const
 {
   if (!lonely || opt.heating != Heating::COMPATIBLE) return 0.0;
   double sum = 0.0;
   for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
     const int j = pairs.j[k];
     const double s = whole_pull(i, k);
-    for (int a = 0; a < D; a++) sum += s * du(j, a) * dx(j, a);
+    for (int a = 0; a < D; a++) sum += s * (u(i)[a] - u(j)[a]) * (kin(i)[a] - kin(j)[a]);
   }
   return 0.5 * sum;
 }
@@ -251,7 +240,7 @@ double SweepsBase<D>::lonely_power(int i, Moved du, Apart dx) const
 // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
 // safe: half the work of each central pair force, none of it negative for u = v
 
-template <int D> double SweepsBase<D>::heat_correction(int i) const
+template <int D> double RowSweeps<D>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
   const bool shepard = opt.weights == Weights::SHEPARD;

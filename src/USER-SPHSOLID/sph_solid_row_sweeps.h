@@ -5,8 +5,8 @@
    For the Eulerian frame (sph_solid_sweeps_eulerian.cpp), whose neighbors change.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_SPH_SOLID_SWEEPS_BASE_H
-#define LMP_SPH_SOLID_SWEEPS_BASE_H
+#ifndef LMP_SPH_SOLID_ROW_SWEEPS_H
+#define LMP_SPH_SOLID_ROW_SWEEPS_H
 
 #include "sph_solid_points.h"
 #include "sph_solid_rows.h"
@@ -28,10 +28,10 @@ template <class Call> void with_flags(bool first, bool second, Call call)
   if (!first && !second) call(no, no);
 }
 
-template <int D> class SweepsBase : public PointSweeps<D> {
+template <int D> class RowSweeps : public PointSweeps<D> {
  public:
   // ntensors: how many tensors follow the fixed part of a stress row
-  SweepsBase(const Options &o, const std::vector<TypeData> &t, int ntensors_) :
+  RowSweeps(const Options &o, const std::vector<TypeData> &t, int ntensors_) :
       PointSweeps<D>(o, t), ntensors(ntensors_), stress_stride(extra(ntensors_))
   {
   }
@@ -44,17 +44,16 @@ template <int D> class SweepsBase : public PointSweeps<D> {
   void mirror_switch() override;
   void correction(const Particles &, const NeighborRows &) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
-  double sound_speed(int i) const override { return srow[i * stress_stride + Str::C]; }
   int neighbor_count(int i) const override { return pairs.count[i]; }
   double memory_usage() const override;
 
  protected:
   using Base = PointSweeps<D>;
   using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nthreads,
-      Base::opt, Base::safe, Base::types;
+      Base::opt, Base::keeps_pairs, Base::lonely, Base::safe, Base::types;
   using Batch = typename Base::Batch;
   using Points = typename Base::Points;
-  using Kin = EulerianRow<D>;
+  using Kin = Kinematics<D>;
   using Str = Stress<D>;
   static constexpr int VECTOR = Blocks<D>::VECTOR;
 
@@ -67,7 +66,6 @@ template <int D> class SweepsBase : public PointSweeps<D> {
   std::vector<double> near_weight;    // of pairs of nearest neighbors, for the correction
   std::vector<double> near_pull;      // weights safe: force on i = m_i/2 near_pull x_ij
   std::vector<double> pull;    // viscous force on i = -own weight * pull * x_ij, kept for heat
-  bool lonely = false;         // a particle here has no nearest neighbor
 
   const double *kin(int i) const { return &krow[i * Kin::STRIDE]; }
   double *str(int i) { return &srow[i * stress_stride]; }
@@ -75,11 +73,10 @@ template <int D> class SweepsBase : public PointSweeps<D> {
   // tensor k of those that follow the fixed part of a row
   static constexpr int extra(int k) { return Str::STRIDE + k * Blocks<D>::TENSOR; }
 
-  // of two rows: of present positions, or of another vector in them
-  Vector<D> separation(int i, int j, int at = Kin::X) const
+  Vector<D> separation(int i, int j) const
   {
     Vector<D> d;
-    for (int a = 0; a < D; a++) d[a] = kin(i)[at + a] - kin(j)[at + a];
+    for (int a = 0; a < D; a++) d[a] = kin(i)[Kin::X + a] - kin(j)[Kin::X + a];
     return d;
   }
   bool is_lonely(int i) const { return needs_correction() && !(str(i)[Str::NSUM] > 0.0); }
@@ -97,13 +94,7 @@ template <int D> class SweepsBase : public PointSweeps<D> {
   void write_tensors(const Batch &, int at, const Tensor<D, Pack> &);
   void prefetch_points(const Particles &, const Batch &) const;
 
-  // is the viscous force of every pair kept for heat?
-  bool keeps_pairs() const
-  {
-    if (opt.viscosity == Viscosity::NONE) return false;
-    return !needs_correction() || opt.heating == Heating::PRINTED || lonely;
-  }
-  // ... and is it heat as it is?  A compatible correction heats in a way of its own
+  // is the kept viscous force of every pair heat as it is?  A compatible correction heats in a way of its own
   bool heats_pairs() const
   {
     return keeps_pairs() && !(needs_correction() && opt.heating == Heating::COMPATIBLE);
@@ -121,7 +112,7 @@ template <int D> class SweepsBase : public PointSweeps<D> {
       call(load_few_weights<D>(&near_weight[k]), j, own - load_few<D>(da.data(), j, VECTOR));
     }
   }
-  template <class Moved, class Apart> double lonely_power(int i, Moved du, Apart dx) const;
+  double lonely_power(int i) const;
   const double *u(int i) const { return kin(i) + Kin::V; }    // during heat: displacements
 
   // of the frame: what a kinematic row has of a particle besides its motion, its volume weight
@@ -129,9 +120,9 @@ template <int D> class SweepsBase : public PointSweeps<D> {
   virtual double weight_volume(const Particles &, int i) const = 0;
 
   // what the forces of a row's pairs give to i while all particles move by u; of
-  // the stress the half with sigma_i, of the others half of each pair's
+  // the stress the half with sigma_i, of the viscosity half of each pair's
   struct Power {
-    double stress = 0.0, viscous = 0.0, hourglass = 0.0;
+    double stress = 0.0, viscous = 0.0;
   };
   template <class OfRow> void sum_heat(const NeighborRows &, double *, bool book, OfRow of_row);
   double heat_correction(int i) const;
@@ -149,7 +140,7 @@ template <int D> class SweepsBase : public PointSweeps<D> {
    storage
 ------------------------------------------------------------------------- */
 
-template <int D> void SweepsBase<D>::size_rows(const Particles &p, const NeighborRows &list)
+template <int D> void RowSweeps<D>::size_rows(const Particles &p, const NeighborRows &list)
 {
   nown = p.nlocal;
   nparticles = p.nall;
@@ -181,7 +172,7 @@ template <int D> void SweepsBase<D>::size_rows(const Particles &p, const Neighbo
 
 /* ---------------------------------------------------------------------- */
 
-template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const double *const *v)
+template <int D> void RowSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
 {
   double *rows = krow.data();
 #if defined(_OPENMP)
@@ -208,8 +199,8 @@ template <int D> void SweepsBase<D>::pack_kinematics(const Particles &p, const d
 }
 
 template <int D>
-void SweepsBase<D>::write_rows(const Batch &batch, const Points &points, const Tensor<D, Pack> &T,
-                               Pack K, Pack nsum)
+void RowSweeps<D>::write_rows(const Batch &batch, const Points &points, const Tensor<D, Pack> &T,
+                              Pack K, Pack nsum)
 {
   write_tensors(batch, Str::T, T);
   Pack rho = points.state.rho, c = square_root(maximum(points.eos.c2, Pack(0.0)));
@@ -222,7 +213,7 @@ void SweepsBase<D>::write_rows(const Batch &batch, const Points &points, const T
 // one tensor of the rows
 
 template <int D>
-void SweepsBase<D>::write_tensors(const Batch &batch, int at, const Tensor<D, Pack> &t)
+void RowSweeps<D>::write_tensors(const Batch &batch, int at, const Tensor<D, Pack> &t)
 {
   Several<D> rows[BLOCK];
   from_lanes<D>(t, rows);
@@ -232,7 +223,7 @@ void SweepsBase<D>::write_tensors(const Batch &batch, int at, const Tensor<D, Pa
 
 // what the next batch needs, if it lies behind this one
 
-template <int D> void SweepsBase<D>::prefetch_points(const Particles &p, const Batch &batch) const
+template <int D> void RowSweeps<D>::prefetch_points(const Particles &p, const Batch &batch) const
 {
   const int next = batch.i[0] + LANES;
   if (next + LANES > nown) return;
@@ -246,27 +237,27 @@ template <int D> void SweepsBase<D>::prefetch_points(const Particles &p, const B
    rows of ghosts and images
 ------------------------------------------------------------------------- */
 
-template <int D> int SweepsBase<D>::message_size(Message what) const
+template <int D> int RowSweeps<D>::message_size(Message what) const
 {
   if (what == Message::STRESS) return stress_stride;
   return what == Message::SWITCH ? 1 : D;
 }
 
-template <int D> double *SweepsBase<D>::place_of(Message what, int i)
+template <int D> double *RowSweeps<D>::place_of(Message what, int i)
 {
   if (what == Message::STRESS) return str(i);
   if (what == Message::SWITCH) return str(i) + Str::SWITCH;
   return what == Message::VISCOUS ? &da[i * VECTOR] : &krow[i * Kin::STRIDE + Kin::V];
 }
 
-template <int D> void SweepsBase<D>::pack(Message what, int i, double *out) const
+template <int D> void RowSweeps<D>::pack(Message what, int i, double *out) const
 {
-  const double *from = const_cast<SweepsBase *>(this)->place_of(what, i);
+  const double *from = const_cast<RowSweeps *>(this)->place_of(what, i);
   std::copy(from, from + message_size(what), out);
 }
 
 template <int D>
-void SweepsBase<D>::unpack(Message what, const Particles &p, int i, const double *in)
+void RowSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
 {
   std::copy(in, in + message_size(what), place_of(what, i));
   if (what == Message::STRESS) p.rho[i] = in[Str::RHO];
@@ -275,7 +266,7 @@ void SweepsBase<D>::unpack(Message what, const Particles &p, int i, const double
 // a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
 // both signs
 
-template <int D> void SweepsBase<D>::mirror_stress()
+template <int D> void RowSweeps<D>::mirror_stress()
 {
   for (int k = 0; k < nrows - nparticles; k++) {
     const double *from = str(images.source_of(k));
@@ -297,7 +288,7 @@ template <int D> void SweepsBase<D>::mirror_stress()
   if (keeps_pairs()) pull.resize(pairs.j.size());
 }
 
-template <int D> void SweepsBase<D>::mirror_vectors(double *rows, int stride) const
+template <int D> void RowSweeps<D>::mirror_vectors(double *rows, int stride) const
 {
   for (int k = 0; k < nrows - nparticles; k++) {
     double sign[3];
@@ -308,7 +299,7 @@ template <int D> void SweepsBase<D>::mirror_vectors(double *rows, int stride) co
 }
 
 template <int D>
-double SweepsBase<D>::time_step_limit(const Particles &p, const NeighborRows &list) const
+double RowSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &list) const
 {
   double limit = 1.0e300;
 #if defined(_OPENMP)
@@ -322,7 +313,7 @@ double SweepsBase<D>::time_step_limit(const Particles &p, const NeighborRows &li
   return limit;
 }
 
-template <int D> double SweepsBase<D>::memory_usage() const
+template <int D> double RowSweeps<D>::memory_usage() const
 {
   const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
       mu_max.capacity() + pull.capacity() + pairs.factor.capacity() + near_weight.capacity() +
@@ -334,6 +325,6 @@ template <int D> double SweepsBase<D>::memory_usage() const
 
 }    // namespace SPHSolid
 
-#include "sph_solid_sweeps_viscous.h"
+#include "sph_solid_row_sweeps_viscous.h"
 
 #endif
