@@ -8,6 +8,9 @@
    lanes.  Loads of a chunk's last columns go on into those of the next one, whose
    first columns each chunk therefore has as well.
 
+   Who has to gather neighbors from anywhere finds all components of one in a row, if
+   rows are wanted: else each lies on a cache line of its own.
+
    Chunks, and not one long array per component: all components of a few particles
    lie on few pages, and a component's place behind the first is a constant.
 ------------------------------------------------------------------------- */
@@ -17,6 +20,8 @@
 
 #include "sph_solid_vector.h"
 
+#include <algorithm>
+
 namespace SPHSolid {
 
 class Columns {
@@ -24,10 +29,12 @@ class Columns {
   static constexpr int LENGTH = 256;             // columns of a chunk, a multiple of LANES
   static constexpr int NEXT = LENGTH + LANES;    // from one component to the next [doubles]
 
-  // ncolumns of ncomponents each, all 0
-  void resize(int ncolumns, int ncomponents)
+  // ncolumns of ncomponents each, all 0; with_rows: what a column has is kept in one place, too
+  void resize(int ncolumns, int ncomponents, bool with_rows)
   {
     n = ncomponents;
+    stride = (n + BLOCK - 1) / BLOCK * BLOCK;
+    rows.assign(with_rows ? static_cast<std::size_t>(whole_vectors(ncolumns)) * stride : 0, 0.0);
     const std::size_t chunks = static_cast<std::size_t>((ncolumns + 2 * LANES) / LENGTH + 1);
     data.assign(chunks * size_of_chunk(), 0.0);
   }
@@ -45,18 +52,39 @@ class Columns {
     SPHSolid::store(to, v);
     if (begins_chunk(column)) SPHSolid::store(to + LENGTH - size_of_chunk(), v);
   }
-  double get(int column, int component) const { return at(column)[component * NEXT]; }
-  void set(int column, int component, double v)
+  // after stores: the same in rows, if there are any
+  void copy_to_rows(int column, int first, int last)
   {
-    double *to = at(column) + component * NEXT;
-    *to = v;
-    if (begins_chunk(column)) to[LENGTH - size_of_chunk()] = v;
+    if (!has_rows()) return;
+    for (int c = first; c < last; c++)
+      for (int m = 0; m < LANES; m++) row(column + m)[c] = at(column)[c * NEXT + m];
   }
-  double memory_usage() const { return static_cast<double>(data.capacity() * sizeof(double)); }
+  double get(int column, int component) const { return at(column)[component * NEXT]; }
+  void set(int column, int component, double v) { set(column, component, &v, 1); }
+  // count components from first on of one column
+  void set(int column, int first, const double *v, int count)
+  {
+    double *to = at(column) + first * NEXT;
+    for (int c = 0; c < count; c++) to[c * NEXT] = v[c];
+    if (begins_chunk(column)) {
+      to += LENGTH - size_of_chunk();
+      for (int c = 0; c < count; c++) to[c * NEXT] = v[c];
+    }
+    if (has_rows()) std::copy(v, v + count, row(column) + first);
+  }
+
+  bool has_rows() const { return !rows.empty(); }
+  const double *row(int column) const { return &rows[static_cast<std::size_t>(column) * stride]; }
+  double memory_usage() const
+  {
+    return static_cast<double>((data.capacity() + rows.capacity()) * sizeof(double));
+  }
 
  private:
-  Rows data;
-  int n = 0;
+  Rows data, rows;
+  int n = 0, stride = 0;
+
+  double *row(int column) { return &rows[static_cast<std::size_t>(column) * stride]; }
 
   std::ptrdiff_t size_of_chunk() const { return static_cast<std::ptrdiff_t>(n) * NEXT; }
   std::ptrdiff_t place(int column) const

@@ -92,6 +92,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   int components() const { return at_early() + (needs_correction() && this->keeps_heat ? D : 0); }
 
   Columns columns;
+  bool with_rows = false;        // for bodies that are no lattice
   std::vector<int> own;          // own particles in the order of columns: by ID
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
   int nparticles = 0;            // own and ghosts, before images
@@ -109,6 +110,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   // what is constant between two neighbor lists
   void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,
                      bool by_position);
+  std::vector<int> choose_order(const Particles &, const NeighborRows &,
+                                const std::vector<double> &reference);
   std::vector<int> count_slots(const Particles &, const NeighborRows &,
                                const std::vector<double> &reference, bool by_position);
   std::vector<double> place_references(const Particles &, const NeighborRows &) const;
@@ -131,7 +134,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   template <class Call> Totals each_block(Call call);
   // room for the components of gathered neighbors, as far apart as in columns
   struct Scratch {
-    alignas(64) double of[MOST * NEXT];
+    alignas(64) double of[(MOST + BLOCK) * NEXT];
   };
   // those of a slot; a gathered one has components up to last only, and of the correction
   const double *neighbors(int slot, int block, int last, Scratch &scratch) const

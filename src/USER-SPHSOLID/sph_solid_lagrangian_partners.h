@@ -30,6 +30,11 @@ constexpr double WORTH_ANOTHER_ORDER = 1.25;
 // neighbors in position are neighbors in memory, too, for which some more slots are a fair price
 constexpr double MUCH_WORSE = 1.1;
 
+// this part of all slots gathered is worth having rows.  A gathered slot is so many times the work
+// of another, without rows and with them
+constexpr double WORTH_ROWS = 0.2;
+constexpr int PRICE[2] = {4, 2};
+
 // the time step shrinks with the least principal stretch, but not further than
 // this: a Courant number of 0.6 is then still stable
 constexpr double STEP_STRETCH = 0.05;
@@ -228,11 +233,12 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     for (int m = 0; m < LANES; m++)
       if (m < of.particles_of(block))
         of.slots.count[block * LANES + m] = static_cast<int>(partners[m].size());
-    arrange(partners, block * LANES, [&](bool side_by_side, int, const int *which) {
-      nslots++;
-      if (!side_by_side) gathered++;
-      if (has_nearest(which)) nearest = nslots;
-    });
+    arrange(partners, block * LANES, PRICE[of.with_rows],
+            [&](bool side_by_side, int, const int *which) {
+              nslots++;
+              if (!side_by_side) gathered++;
+              if (has_nearest(which)) nearest = nslots;
+            });
   }
 
   void fill(int block, int gathered)
@@ -244,18 +250,20 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       nsum[m] = 0.0;
     }
     collect(block);
-    arrange(partners, block * LANES, [&](bool side_by_side, int offset, const int *which) {
-      slots.offset[s] = side_by_side ? offset : Slots::GATHERED + gathered;
-      for (int m = 0; m < LANES; m++) {
-        const Partner *partner = which[m] >= 0 ? &partners[m][which[m]] : nullptr;
-        if (!side_by_side)
-          slots.gathered[gathered * LANES + m] = partner ? partner->column : block * LANES + m;
-        if (partner) fill_pair(block, m, s, near, *partner);
-      }
-      if (!side_by_side) gathered++;
-      s++;
-      near++;
-    });
+    arrange(partners, block * LANES, PRICE[of.with_rows],
+            [&](bool side_by_side, int offset, const int *which) {
+              slots.offset[s] = side_by_side ? offset : Slots::GATHERED + gathered;
+              for (int m = 0; m < LANES; m++) {
+                const Partner *partner = which[m] >= 0 ? &partners[m][which[m]] : nullptr;
+                if (!side_by_side)
+                  slots.gathered[gathered * LANES + m] = partner ? partner->column
+                                                                 : block * LANES + m;
+                if (partner) fill_pair(block, m, s, near, *partner);
+              }
+              if (!side_by_side) gathered++;
+              s++;
+              near++;
+            });
     correct(block);
     find_foremost(block);
   }
@@ -316,18 +324,11 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   Base::find_image_candidates(p, list, p.xref, reach);
   nparticles = p.nall;
   const std::vector<double> reference = place_references(p, list);
-  std::vector<int> gathered = count_slots(p, list, reference, false);
-  const int by_id = slots.first.back();
-  const std::int64_t pairs =
-      std::accumulate(slots.count.begin(), slots.count.end(), std::int64_t(0));
-  if (by_id * std::int64_t(LANES) > WORTH_ANOTHER_ORDER * pairs) {
-    gathered = count_slots(p, list, reference, true);
-    if (slots.first.back() > MUCH_WORSE * by_id) gathered = count_slots(p, list, reference, false);
-  }
+  const std::vector<int> gathered = choose_order(p, list, reference);
   size_storage(gathered.back());
   for (std::size_t row = 0; row < column_of.size(); row++) {
     if (column_of[row] < 0) continue;
-    for (int a = 0; a < D; a++) columns.set(column_of[row], REFERENCE + a, reference[row * D + a]);
+    columns.set(column_of[row], REFERENCE, &reference[row * D], D);
     columns.set(column_of[row], WEIGHT, p.vref[source_of(row)] * unit_factor());
   }
   each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
@@ -335,8 +336,33 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   });
 }
 
-// place columns and find out how many slots blocks have; returns the gathered ones before each
-// block, and all
+// an order of columns that leaves few places in slots empty, and whether rows are worth having,
+// too; returns how many gathered slots there are before each block, and in all
+
+template <int D>
+std::vector<int> LagrangianSweeps<D>::choose_order(const Particles &p, const NeighborRows &list,
+                                                   const std::vector<double> &reference)
+{
+  auto room = [&]() {    // for how many times the pairs there are
+    const auto pairs = std::accumulate(slots.count.begin(), slots.count.end(), std::int64_t(0));
+    return pairs ? slots.first.back() * double(LANES) / pairs : 1.0;
+  };
+  bool by_position = false;
+  with_rows = false;
+  std::vector<int> gathered = count_slots(p, list, reference, by_position);
+  const double by_id = room();
+  if (by_id > WORTH_ANOTHER_ORDER) {
+    by_position = true;
+    gathered = count_slots(p, list, reference, by_position);
+    if (room() > MUCH_WORSE * by_id) by_position = false;
+  }
+  with_rows = gathered.back() > WORTH_ROWS * slots.first.back();
+  if (with_rows || (by_id > WORTH_ANOTHER_ORDER && !by_position))
+    gathered = count_slots(p, list, reference, by_position);
+  return gathered;
+}
+
+// place columns and find out how many slots blocks have
 
 template <int D>
 std::vector<int> LagrangianSweeps<D>::count_slots(const Particles &p, const NeighborRows &list,
@@ -379,7 +405,7 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
 {
   const std::size_t pairs = static_cast<std::size_t>(slots.first.back()) * LANES;
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
-  columns.resize(end_of_columns, components());
+  columns.resize(end_of_columns, components(), with_rows);
   slots.offset.resize(slots.first.back());
   slots.foremost.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);

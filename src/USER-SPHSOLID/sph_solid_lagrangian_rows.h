@@ -19,16 +19,14 @@ void LagrangianSweeps<D>::pack_kinematics(const Particles &p, const double *cons
   for (int i = 0; i < p.nall; i++) {
     const int column = column_of[i];
     if (column < 0) continue;
-    for (int a = 0; a < D; a++) {
-      columns.set(column, X + a, p.x[i][a]);
-      columns.set(column, V + a, v[i][a]);
-    }
+    columns.set(column, X, p.x[i], D);
+    columns.set(column, V, v[i], D);
   }
   for (int k = 0; k < images.count(); k++) {
     const int column = column_of[nparticles + k];
     double at[D];
     images.template position<D>(k, p.x[images.source_of(k)], at);
-    for (int a = 0; a < D; a++) columns.set(column, X + a, at[a]);
+    columns.set(column, X, at, D);
   }
   mirror_vectors(V);
 }
@@ -51,13 +49,23 @@ template <int D> void LagrangianSweeps<D>::mirror_vectors(int component)
 template <int D>
 const double *LagrangianSweeps<D>::gather(const int *from, int last, Scratch &scratch) const
 {
+  const bool rows = columns.has_rows();
   const double *at[LANES];
-  for (int m = 0; m < LANES; m++) at[m] = columns.at(from[m]);
+  for (int m = 0; m < LANES; m++) at[m] = rows ? columns.row(from[m]) : columns.at(from[m]);
   auto copy = [&](int c, int end) {
-    for (; c < end; c++)
-      store(scratch.of + c * NEXT, pack_of([&](int m) {
-              return at[m][c * NEXT];
-            }));
+    if (rows)
+      for (c = c / BLOCK * BLOCK; c < end; c += BLOCK) {
+        Pack of[BLOCK];
+        for (int m = 0; m < BLOCK; m++)
+          of[m] = load(Addresses(at[m] + c, at[m + LANES - BLOCK] + c));
+        transpose(of[0], of[1], of[2], of[3]);
+        for (int k = 0; k < BLOCK; k++) store(scratch.of + (c + k) * NEXT, of[k]);
+      }
+    else
+      for (; c < end; c++)
+        store(scratch.of + c * NEXT, pack_of([&](int m) {
+                return at[m][c * NEXT];
+              }));
   };
   copy(0, last);
   copy(std::max(last, at_da()), columns.components());
@@ -93,7 +101,7 @@ void LagrangianSweeps<D>::unpack(Message what, const Particles &p, int i, const 
 {
   const int column = column_of[i], first = place_of(what);
   if (column < 0) return;
-  for (int c = 0; c < message_size(what); c++) columns.set(column, first + c, in[c]);
+  columns.set(column, first, in, message_size(what));
   if (what == Message::STRESS) p.rho[i] = in[RHO - T];
 }
 

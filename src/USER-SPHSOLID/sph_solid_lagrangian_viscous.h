@@ -36,6 +36,7 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
     }
     const Pack share = unresolved_share(rest2, linear2);
     columns.store(block * LANES, LAST, component(i, LAST) * share);
+    columns.copy_to_rows(block * LANES, LAST, FIXED);
   });
 }
 
@@ -47,9 +48,11 @@ template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const 
 {
   mirror_vectors(at_da());
   if (this->keeps_heat)    // own particles have it from the force sweep
-    for (int column = end_of_own; column < end_of_columns; column += LANES)
+    for (int column = end_of_own; column < end_of_columns; column += LANES) {
       for (int a = 0; a < D; a++)
         columns.store(column, at_early() + a, component(columns.at(column), V + a));
+      columns.copy_to_rows(column, at_early(), columns.components());
+    }
   each_block([&](int block, const Batch &batch, Totals &) {
     if (!weights_known) near_weights(block);
     if (safe()) safe_pulls(block);

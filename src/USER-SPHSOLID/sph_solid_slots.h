@@ -34,14 +34,12 @@ inline bool comes_before(const Partner &a, const Partner &b)
   return a.direction != b.direction ? a.direction < b.direction : a.apart < b.apart;
 }
 
-// a gathered slot takes as long as some four others; less than so many partners are not worth it
-constexpr int WORTH_GATHERING = 5;
-
 // partners of the particles from column first on, one list per lane: call(side_by_side, offset,
-// which) for each slot; which[lane]: index in the lane's list, or -1
+// which) for each slot; which[lane]: index in the lane's list, or -1.  price: so many times the
+// work of another one is a gathered slot
 
 template <class Call>
-void arrange(const std::vector<Partner> (&partners)[LANES], int first, Call call)
+void arrange(const std::vector<Partner> (&partners)[LANES], int first, int price, Call call)
 {
   int next[LANES] = {};
   for (;;) {
@@ -59,7 +57,7 @@ void arrange(const std::vector<Partner> (&partners)[LANES], int first, Call call
     int which[LANES], together = 0;
     for (int m = 0; m < LANES; m++)
       if (head[m] && head[m]->column - (first + m) == offset) together++;
-    const bool side_by_side = together > 1 || open < WORTH_GATHERING;
+    const bool side_by_side = open <= price * together;
     for (int m = 0; m < LANES; m++) {
       const bool taken = head[m] && (!side_by_side || head[m]->column - (first + m) == offset);
       which[m] = taken ? next[m]++ : -1;

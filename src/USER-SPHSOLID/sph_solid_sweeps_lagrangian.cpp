@@ -148,6 +148,7 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   if (viscous()) store_tensor(column, at_C(), C);
   if (needs_switch(pair_form(opt.viscosity)))
     columns.store(column, LAST, Base::own_switch(rate * inverse, c, h));
+  columns.copy_to_rows(column, T, at_da());
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
 }
 
@@ -285,6 +286,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       if (this->keeps_heat) columns.store(block * LANES, at_early() + a, component(i, V + a));
     }
   }
+  columns.copy_to_rows(block * LANES, at_da(), columns.components());
   add_forces(p, batch, stress);
   store(&mu_max[block * LANES], -mu_least);
   if (!this->keeps_heat) return;

@@ -42,10 +42,10 @@ struct Arranged {
   std::vector<int> seen[LANES];
 };
 
-Arranged arranged(const Lists &lists, int first)
+Arranged arranged(const Lists &lists, int first, int price)
 {
   Arranged out;
-  arrange(lists, first, [&](bool side_by_side, int offset, const int *which) {
+  arrange(lists, first, price, [&](bool side_by_side, int offset, const int *which) {
     out.slots++;
     if (!side_by_side) out.gathered++;
     for (int m = 0; m < LANES; m++) {
@@ -73,18 +73,25 @@ TEST(Columns, AreReadFromAnywhere)
 {
   const int n = 3 * Columns::LENGTH + 5, components = 3;
   Columns one, several;
-  one.resize(n, components);
-  several.resize(n, components);
+  one.resize(n, components, true);
+  several.resize(n, components, true);
   for (int c = 0; c < components; c++) {
     for (int k = 0; k < n; k++) one.set(k, c, number(k, c));
     for (int k = 0; k < n; k += LANES)
       several.store(k, c, pack_of([&](int m) {
                       return number(k + m, c);
                     }));
+    for (int k = 0; k < n; k += LANES) several.copy_to_rows(k, c, c + 1);
   }
   expect_numbers(one, n, components);
   expect_numbers(several, n, components);
-  for (int k = 0; k < n; k++) EXPECT_EQ(several.get(k, 1), number(k, 1));
+  for (int k = 0; k < n; k++) {
+    EXPECT_EQ(several.get(k, 1), number(k, 1));
+    for (int c = 0; c < components; c++) {
+      EXPECT_EQ(one.row(k)[c], number(k, c));
+      EXPECT_EQ(several.row(k)[c], number(k, c));
+    }
+  }
 }
 
 // a square lattice, 20 to a row, with 8 neighbors: as many slots, whether or not a row ends
@@ -97,7 +104,7 @@ TEST(Slots, OfALatticeLieSideBySide)
       for (int y = -1; y <= 1; y++)
         for (int x = -1; x <= 1; x++)
           if (x || y) lists[m].push_back(partner(first + m + x + 20 * y, true, x + 10 * y));
-    const Arranged a = arranged(lists, first);
+    const Arranged a = arranged(lists, first, 4);
     EXPECT_EQ(a.slots, 8);
     EXPECT_EQ(a.gathered, 0);
   }
@@ -120,9 +127,11 @@ TEST(Slots, OfAnythingAreComplete)
       most = std::max(most, n);
       all += n;
     }
-    const Arranged a = arranged(lists, 96);
-    EXPECT_GE(a.slots, most);
-    EXPECT_LE(a.slots, std::max(all, 1));
+    for (int price : {2, 4}) {
+      const Arranged a = arranged(lists, 96, price);
+      EXPECT_GE(a.slots, most);
+      EXPECT_LE(a.slots, all);
+    }
   }
 }
 
