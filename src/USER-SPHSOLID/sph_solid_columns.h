@@ -57,7 +57,7 @@ class Columns {
   {
     if (!has_rows()) return;
     for (int c = first; c < last; c++)
-      for (int m = 0; m < LANES; m++) row(column + m)[c] = at(column)[c * NEXT + m];
+      for (int m = 0; m < LANES; m++) row_of(column + m)[c] = at(column)[c * NEXT + m];
   }
   double get(int column, int component) const { return at(column)[component * NEXT]; }
   void set(int column, int component, double v) { set(column, component, &v, 1); }
@@ -70,7 +70,7 @@ class Columns {
       to += LENGTH - size_of_chunk();
       for (int c = 0; c < count; c++) to[c * NEXT] = v[c];
     }
-    if (has_rows()) std::copy(v, v + count, row(column) + first);
+    if (has_rows()) std::copy(v, v + count, row_of(column) + first);
   }
 
   bool has_rows() const { return !rows.empty(); }
@@ -84,7 +84,7 @@ class Columns {
   Rows data, rows;
   int n = 0, stride = 0;
 
-  double *row(int column) { return &rows[static_cast<std::size_t>(column) * stride]; }
+  double *row_of(int column) { return &rows[static_cast<std::size_t>(column) * stride]; }
 
   std::ptrdiff_t size_of_chunk() const { return static_cast<std::ptrdiff_t>(n) * NEXT; }
   std::ptrdiff_t place(int column) const
