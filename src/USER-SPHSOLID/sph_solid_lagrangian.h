@@ -45,7 +45,12 @@ namespace {
 
 template <int D> class LagrangianSweeps : public PointSweeps<D> {
  public:
-  LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) : PointSweeps<D>(o, t) {}
+  LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
+      PointSweeps<D>(o, t), at_rate(at_C + (viscous() ? D * D : 0)),
+      at_da(at_rate + (keeps_rates() ? D * D : 0)), at_early(at_da + (needs_correction() ? D : 0)),
+      at_along(safe() ? X : at_da)
+  {
+  }
 
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
   void pack_kinematics(const Particles &, const double *const *) override;
@@ -85,11 +90,10 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   static constexpr int NEXT = Columns::NEXT;
   bool viscous() const { return opt.viscosity != Viscosity::NONE; }
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
-  int at_C() const { return FIXED; }
-  int at_rate() const { return at_C() + (viscous() ? D * D : 0); }
-  int at_da() const { return at_rate() + (keeps_rates() ? D * D : 0); }
-  int at_early() const { return at_da() + (needs_correction() ? D : 0); }
-  int components() const { return at_early() + (needs_correction() && this->keeps_heat ? D : 0); }
+  static constexpr int at_C = FIXED;
+  const int at_rate, at_da, at_early;
+  const int at_along;    // what the correction's force on a pair is along
+  int components() const { return at_early + (needs_correction() && this->keeps_heat ? D : 0); }
 
   Columns columns;
   bool with_rows = false;        // for bodies that are no lattice
@@ -240,24 +244,24 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   enum class Work { NONE, DUE, WHOLE };
   template <Work WORK> Sums accumulate(int block) const;
   template <Work WORK>
-  void add_work(int slot, int block, bool nearest, const double *i, const double *j,
+  void add_work(int slot, const double *near, const double *i, const double *j,
                 const Components<D> &, PairWork &) const;
   template <Work WORK>
   Pack corrected_power(const double *i, const double *j, const Components<D> &) const;
   // of a pair of nearest partners: what its force is along, and what it is times m_i/2
   Pack corrected_along(const double *i, const double *j, int a) const
   {
-    const int c = safe() ? X : at_da();
-    return component(i, c + a) - component(j, c + a);
+    return component(i, at_along + a) - component(j, at_along + a);
   }
   std::size_t near_place(int slot, int block) const
   {
     const int n = slot - slots.first[block] + slots.near_first[block];
     return static_cast<std::size_t>(n) * LANES;
   }
-  Pack near_factor(int slot, int block) const
+  const double *near_factors(int block) const
   {
-    return load(&(safe() ? near_pull : near_weight)[near_place(slot, block)]);
+    const Rows &of = safe() ? near_pull : near_weight;
+    return of.data() + slots.near_first[block] * std::ptrdiff_t(LANES);
   }
   struct Power {
     Pack stress, viscous, corrected, hourglass;

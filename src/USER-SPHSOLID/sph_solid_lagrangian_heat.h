@@ -16,7 +16,7 @@ namespace {
 
 template <int D>
 template <typename LagrangianSweeps<D>::Work WORK>
-inline void LagrangianSweeps<D>::add_work(int s, int block, bool nearest, const double *i,
+inline void LagrangianSweeps<D>::add_work(int s, const double *near, const double *i,
                                           const double *j, const Components<D> &d,
                                           PairWork &work) const
 {
@@ -30,9 +30,8 @@ inline void LagrangianSweeps<D>::add_work(int s, int block, bool nearest, const 
   if (opt.hourglass > 0.0) work.hourglass = multiply_add(load(&damp[k]), weighted, work.hourglass);
   if (keeps_pairs())
     work.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), weighted, work.viscous);
-  if (nearest)
-    work.corrected =
-        multiply_add(near_factor(s, block), corrected_power<WORK>(i, j, d), work.corrected);
+  if (near)
+    work.corrected = multiply_add(load(near), corrected_power<WORK>(i, j, d), work.corrected);
 }
 
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
@@ -52,9 +51,9 @@ inline Pack LagrangianSweeps<D>::corrected_power(const double *i, const double *
   for (int a = 0; a < D; a++) {
     Pack moved = d.v[a], acceleration = corrected_along(i, j, a);
     if (WORK == Work::DUE)
-      moved += component(i, at_early() + a) - component(j, at_early() + a);
+      moved += component(i, at_early + a) - component(j, at_early + a);
     else if (!safe() && opt.heating == Heating::PRINTED)
-      acceleration = -2.0 * component(j, at_da() + a);
+      acceleration = -2.0 * component(j, at_da + a);
     else if (!safe() && !conservative)
       moved = 2.0 * component(i, V + a);
     sum = multiply_add(moved, acceleration, sum);
@@ -71,8 +70,8 @@ Pack LagrangianSweeps<D>::standard_power(const double *i, Pack mass, bool early)
   if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
   for (int a = 0; a < D; a++) {
     Pack moved = component(i, V + a);
-    if (early) moved += component(i, at_early() + a);
-    power -= mass * component(i, at_da() + a) * moved;
+    if (early) moved += component(i, at_early + a);
+    power -= mass * component(i, at_da + a) * moved;
   }
   return power;
 }
@@ -191,12 +190,13 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
 {
   const double *i = columns.at(block * LANES);
   const Pack V0 = batch.load(p.vref), half_mass = 0.5 * batch.load(p.mass);
-  const int near_end = slots.first[block] + slots.nearest(block);
+  const double *near = near_factors(block);
   TensorSums<D> sum;
   Scratch scratch;
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::size_t k = s * std::size_t(LANES);
-    const double *j = neighbors(s, block, at_da(), scratch);
+    const int n = s - slots.first[block];
+    const double *j = neighbors(s, block, at_da, scratch);
     const Components<D> d = motion(i, j);
     const Pack weight = component(j, WEIGHT);
     Pack reference[D], f[D], central = 0.0;
@@ -208,7 +208,8 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
       for (int b = 0; b < D; b++)
         t += (component(i, T + D * a + b) + component(j, T + D * a + b)) * reference[b];
       f[a] = V0 * (factor(s, j) * t + central * d.x[a]);
-      if (s < near_end) f[a] += half_mass * near_factor(s, block) * corrected_along(i, j, a);
+      if (n < slots.nearest(block))
+        f[a] += half_mass * load(near + n * LANES) * corrected_along(i, j, a);
     }
     sum.add(f, d.x);
   }

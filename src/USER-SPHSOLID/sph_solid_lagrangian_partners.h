@@ -456,7 +456,7 @@ Tensor<D> LagrangianSweeps<D>::deformation_gradient(const Particles &p, int colu
   const int i = own[column];
   Tensor<D> C;
   for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++) C(a, b) = columns.get(column, at_C() + D * a + b);
+    for (int b = 0; b < D; b++) C(a, b) = columns.get(column, at_C + D * a + b);
   const double J = p.mass[i] / (columns.get(column, RHO) * p.vref[i]);
   return J * C.inverse().transpose() * own_tensor(B, column);
 }

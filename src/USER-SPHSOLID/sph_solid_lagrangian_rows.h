@@ -68,7 +68,7 @@ const double *LagrangianSweeps<D>::gather(const int *from, int last, Scratch &sc
               }));
   };
   copy(0, last);
-  copy(std::max(last, at_da()), columns.components());
+  copy(std::max(last, at_da), columns.components());
   return scratch.of;
 }
 
@@ -78,7 +78,7 @@ const double *LagrangianSweeps<D>::gather(const int *from, int last, Scratch &sc
 
 template <int D> int LagrangianSweeps<D>::message_size(Message what) const
 {
-  if (what == Message::STRESS) return at_da() - T;
+  if (what == Message::STRESS) return at_da - T;
   return what == Message::SWITCH ? 1 : D;
 }
 
@@ -86,7 +86,7 @@ template <int D> int LagrangianSweeps<D>::place_of(Message what) const
 {
   if (what == Message::STRESS) return T;
   if (what == Message::SWITCH) return LAST;
-  return what == Message::VISCOUS ? at_da() : V;
+  return what == Message::VISCOUS ? at_da : V;
 }
 
 template <int D> void LagrangianSweeps<D>::pack(Message what, int i, double *out) const
@@ -123,8 +123,8 @@ template <int D> void LagrangianSweeps<D>::mirror_stress()
     };
     copy_tensor(T);
     for (const int c : {IMPEDANCE, RHO, SOUND, LAST}) copy(c, 1.0);
-    if (viscous()) copy_tensor(at_C());
-    if (keeps_rates()) copy_tensor(at_rate());
+    if (viscous()) copy_tensor(at_C);
+    if (keeps_rates()) copy_tensor(at_rate);
   }
 
   if (needs_correction() && !weights_known) {    // as long as weights are known, so is this

@@ -24,11 +24,11 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
     Pack rest2 = 0.0, linear2 = 0.0;
     Scratch scratch;
     for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
-      const double *j = neighbors(s, block, at_da(), scratch);
+      const double *j = neighbors(s, block, at_da, scratch);
       const Components<D> d = motion(i, j);
       Pack reference[D];
       difference(i, j, REFERENCE, reference);
-      const Pack li = along(i, at_rate(), d.x, reference), lj = along(j, at_rate(), d.x, reference);
+      const Pack li = along(i, at_rate, d.x, reference), lj = along(j, at_rate, d.x, reference);
       const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
       const Pack w = -factor(s, j) / (d.x_dot_x() + least);
       rest2 += w * rest * rest;
@@ -46,12 +46,12 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
 
 template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const NeighborRows &)
 {
-  mirror_vectors(at_da());
+  mirror_vectors(at_da);
   if (this->keeps_heat)    // own particles have it from the force sweep
     for (int column = end_of_own; column < end_of_columns; column += LANES) {
       for (int a = 0; a < D; a++)
-        columns.store(column, at_early() + a, component(columns.at(column), V + a));
-      columns.copy_to_rows(column, at_early(), columns.components());
+        columns.store(column, at_early + a, component(columns.at(column), V + a));
+      columns.copy_to_rows(column, at_early, columns.components());
     }
   each_block([&](int block, const Batch &batch, Totals &) {
     if (!weights_known) near_weights(block);
@@ -60,10 +60,12 @@ template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const 
     Pack f[D];
     for (int a = 0; a < D; a++) f[a] = 0.0;
     Scratch scratch;
-    for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
+    const double *near = near_factors(block);
+    const int first = slots.first[block], end = first + slots.nearest(block);
+    for (int s = first; s < end; s++, near += LANES) {
       const double *j = neighbors(s, block, T, scratch);
-      const Pack w = near_factor(s, block);
-      for (int a = 0; a < D; a++) f[a] += w * corrected_along(i, j, a);
+      const Pack w = load(near);
+      for (int a = 0; a < D; a++) f[a] = multiply_add(w, corrected_along(i, j, a), f[a]);
     }
     for (int a = 0; a < D; a++) f[a] *= 0.5 * batch.load(p.mass);
     add_forces(p, batch, f);
@@ -96,7 +98,7 @@ template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
     const double *j = neighbors(s, block, T, scratch);
     const Components<D> d = motion(i, j);
     Pack a[D], ax = 0.0;
-    difference(i, j, at_da(), a);
+    difference(i, j, at_da, a);
     for (int k = 0; k < D; k++) ax = multiply_add(a[k], d.x[k], ax);
     const std::size_t k = near_place(s, block);
     store(&near_pull[k], load(&near_weight[k]) * safe_pull(ax, d.v_dot_x(), d.x_dot_x()));

@@ -23,6 +23,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
 {
   const double *i = columns.at(block * LANES);
   const int near_end = slots.first[block] + slots.nearest(block);
+  const double *near = near_factors(block);
   const int last = keeps_pairs() ? FIXED : T;    // of what is read of neighbors
   TensorSums<D> displacement, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
@@ -40,7 +41,9 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
     }
     displacement.add(u, g);
     velocity.add(d.v, g);
-    if (WORK != Work::NONE) add_work<WORK>(s, block, s < near_end, i, j, d, work);
+    if (WORK == Work::NONE) continue;
+    add_work<WORK>(s, s < near_end ? near : nullptr, i, j, d, work);
+    if (s < near_end) near += LANES;
   }
   return {displacement.tensor(), velocity.tensor(), work};
 }
@@ -143,12 +146,12 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
       return types[t].material.shear;
     });
     columns.store(column, IMPEDANCE, rho * h * square_root(c * c + 4.0 * shear / (3.0 * rho)));
-    store_tensor(column, at_rate(), rate);
+    store_tensor(column, at_rate, rate);
   }
-  if (viscous()) store_tensor(column, at_C(), C);
+  if (viscous()) store_tensor(column, at_C, C);
   if (needs_switch(pair_form(opt.viscosity)))
     columns.store(column, LAST, Base::own_switch(rate * inverse, c, h));
-  columns.copy_to_rows(column, T, at_da());
+  columns.copy_to_rows(column, T, at_da);
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
 }
 
@@ -164,7 +167,7 @@ void LagrangianSweeps<D>::prefetch_points(const Particles &p, int block, const B
   for (const double *array : arrays) prefetch(array + next, LANES);
   prefetch(&B[(block + 2) * D * D * LANES], D * D * LANES);
   const double *at = columns.at((block + 2) * LANES);
-  for (int c = T; c < at_da(); c++) prefetch(at + c * NEXT, 1);
+  for (int c = T; c < at_da; c++) prefetch(at + c * NEXT, 1);
 }
 
 /* ----------------------------------------------------------------------
@@ -221,7 +224,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
 
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
-    const double *j = neighbors(s, block, at_da(), scratch);
+    const double *j = neighbors(s, block, at_da, scratch);
     prefetch_ahead(s, j, R_AT + (RATES ? D * D : 0));
     const Pack f = load(factors + k), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
@@ -282,11 +285,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   if (VISCOUS && correct) {
     const Pack per_mass = V0 / batch.load(p.mass);
     for (int a = 0; a < D; a++) {
-      columns.store(block * LANES, at_da() + a, per_mass * replaced[a]);
-      if (this->keeps_heat) columns.store(block * LANES, at_early() + a, component(i, V + a));
+      columns.store(block * LANES, at_da + a, per_mass * replaced[a]);
+      if (this->keeps_heat) columns.store(block * LANES, at_early + a, component(i, V + a));
     }
   }
-  columns.copy_to_rows(block * LANES, at_da(), columns.components());
+  columns.copy_to_rows(block * LANES, at_da, columns.components());
   add_forces(p, batch, stress);
   store(&mu_max[block * LANES], -mu_least);
   if (!this->keeps_heat) return;
