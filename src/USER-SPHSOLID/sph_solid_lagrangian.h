@@ -46,9 +46,9 @@ namespace {
 template <int D> class LagrangianSweeps : public PointSweeps<D> {
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      PointSweeps<D>(o, t), at_rate(at_C + (viscous() ? D * D : 0)),
-      at_da(at_rate + (keeps_rates() ? D * D : 0)), at_early(at_da + (needs_correction() ? D : 0)),
-      at_along(safe() ? X : at_da)
+      PointSweeps<D>(o, t), unit_factor(std::pow(largest_h(t), -(D + 2))),
+      at_rate(at_C + (viscous() ? D * D : 0)), at_da(at_rate + (keeps_rates() ? D * D : 0)),
+      at_early(at_da + (needs_correction() ? D : 0)), at_along(safe() ? X : at_da)
   {
   }
 
@@ -90,6 +90,15 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   static constexpr int NEXT = Columns::NEXT;
   bool viscous() const { return opt.viscosity != Viscosity::NONE; }
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
+  // 1/h0^(D+2), h0 the largest smoothing length, so that what is stored in single precision is of
+  // order 1 in any units
+  const double unit_factor;
+  static double largest_h(const std::vector<TypeData> &types)
+  {
+    double h = 0.0;
+    for (const TypeData &type : types) h = std::max(h, type.h);
+    return h;
+  }
   static constexpr int at_C = FIXED;
   const int at_rate, at_da, at_early;
   const int at_along;    // what the correction's force on a pair is along
@@ -97,7 +106,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
 
   Columns columns;
   bool with_rows = false;        // for bodies that are no lattice
-  std::vector<int> own;          // own particles in the order of columns: by ID
+  std::vector<int> own;          // own particles in the order of columns
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
   int nparticles = 0;            // own and ghosts, before images
   int end_of_own = 0, end_of_columns = 0;
@@ -202,8 +211,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   static Tensor<D> own_tensor(const Rows &, int column);
   void mirror_vectors(int component);
   int place_of(Message) const;
-  // 1/h0^(D+2), so that what is stored in single precision is of order 1 in any units
-  double unit_factor() const { return std::pow(opt.h, -(D + 2)); }
   // x.TX, T of one particle or the sum of two
   static Pack along(const double *i, int c, const Pack *x, const Pack *X)
   {

@@ -70,7 +70,7 @@ void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &
     for (const int i : particles) {
       Place place = {{}, by_position ? reference[i * D] : 0.0, i};
       if (!by_position) place.key[0] = id_of(p, i);
-      for (int a = 1; a < D && by_position; a++)    // no row is as thick as half a spacing
+      for (int a = 1; a < D && by_position; a++)    // rows lie further apart than half a spacing
         place.key[D - 1 - a] =
             std::llround(reference[i * D + a] / (0.5 * types[p.type[i]].spacing));
       places.push_back(place);
@@ -288,7 +288,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     const int i = of.own[block * LANES + m], source = of.source_of(partner.row);
     const double h = mean_h(i, source), q = partner.r / h;
     const std::size_t k = static_cast<std::size_t>(slot) * LANES + m;
-    of.slots.factor[k] = CubicSpline<D>::gradient_factor(partner.r, h) / of.unit_factor();
+    of.slots.factor[k] = CubicSpline<D>::gradient_factor(partner.r, h) / of.unit_factor;
     of.slots.nearness[k] = q / (q * q + MU_EPSILON);
     const Vector<D> X = separation(i, partner.row);
     moment[m] -= of.slots.factor[k] * of.columns.get(partner.column, WEIGHT) * X * X.transpose();
@@ -329,7 +329,7 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   for (std::size_t row = 0; row < column_of.size(); row++) {
     if (column_of[row] < 0) continue;
     columns.set(column_of[row], REFERENCE, &reference[row * D], D);
-    columns.set(column_of[row], WEIGHT, p.vref[source_of(row)] * unit_factor());
+    columns.set(column_of[row], WEIGHT, p.vref[source_of(row)] * unit_factor);
   }
   each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
     arranging.fill(block, gathered[block]);

@@ -69,20 +69,18 @@ void arrange(const std::vector<Partner> (&partners)[LANES], int first, int price
 struct Slots {
   static constexpr int GATHERED = 1 << 30;
 
-  std::vector<int> first;    // slot of each block, and one behind the last
-  std::vector<int>
-      near_first;                // the same among slots that have nearest partners: a block's first
-  std::vector<int> offset;       // columns that the neighbors are further, or GATHERED + n
-  std::vector<char> foremost;    // of slots that read nearly the same columns, the last one
-  std::vector<int> gathered;     // LANES columns each
-  std::vector<int> count;        // partners of each column
+  std::vector<int> first;         // slot of each block, and one behind the last
+  std::vector<int> near_first;    // the same if there were only slots with nearest partners
+  std::vector<int> offset;        // columns that the neighbors are further, or GATHERED + n
+  std::vector<char> foremost;     // of slots that read nearly the same columns, the last one
+  std::vector<int> gathered;      // LANES columns each
+  std::vector<int> count;         // partners of each column
 
   // LANES of each slot.  In single precision, since a step of a large body waits for memory.
   // They are the same seen from i and from j, and all that follows from them is computed in
   // double precision, so that sums are as exact as with others: of linear fields and of energy
-  // and momentum to rounding of doubles
-  SingleRows
-      factor;    // grad_i W(X_ij) = factor X_ij / h0^(D+2), h0 the smoothing length of the style
+  // and momentum to rounding of doubles.  h0 is the largest smoothing length
+  SingleRows factor;      // grad_i W(X_ij) = factor X_ij / h0^(D+2)
   SingleRows nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
 
   int nearest(int block) const { return near_first[block + 1] - near_first[block]; }
