@@ -161,9 +161,12 @@ void PairSPHSolid::new_neighbors(bool setup)
     }
     partners->find(setup, setflag);
   }
-  const std::vector<std::int64_t> id(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   Particles p = particles();
-  p.id = id.data();
+  std::vector<std::int64_t> id;
+  if (partners) {
+    id.assign(atom->tag, atom->tag + p.nall);
+    p.id = id.data();
+  }
   sweeps->new_neighbors(p, rows(), cutforce + neighbor->skin);
 }
 
@@ -365,8 +368,8 @@ void PairSPHSolid::forward(Message what)
 
 int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int, int *)
 {
-  double **vhalf = AtomVecSPHSolid::arrays(atom)->vhalf;
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
+  double **vhalf = message_of_sweeps ? nullptr : AtomVecSPHSolid::arrays(atom)->vhalf;
   for (int k = 0; k < n; k++)
     if (message_of_sweeps)
       sweeps->pack(message, atoms[k], &buf[k * size]);
@@ -378,8 +381,8 @@ int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int, int *)
 void PairSPHSolid::unpack_forward_comm(int n, int first, double *buf)
 {
   const Particles p = particles();
-  double **vhalf = AtomVecSPHSolid::arrays(atom)->vhalf;
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
+  double **vhalf = message_of_sweeps ? nullptr : AtomVecSPHSolid::arrays(atom)->vhalf;
   for (int k = 0; k < n; k++)
     if (message_of_sweeps)
       sweeps->unpack(message, p, first + k, &buf[k * size]);

@@ -74,8 +74,9 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
 
  private:
   using Base = PointSweeps<D>;
-  using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nthreads,
-      Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::types;
+  using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
+      Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
+      Base::types;
   using Batch = typename Base::Batch;
   using Totals = typename Base::Totals;
   using Tensors = Tensor<D, Pack>;
@@ -108,7 +109,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   bool with_rows = false;        // for bodies that are no lattice
   std::vector<int> own;          // own particles in the order of columns
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
-  int nparticles = 0;            // own and ghosts, before images
   int end_of_own = 0, end_of_columns = 0;
   Slots slots;
   Rows B, F;             // of own particles; F only where no neighbor reads C
@@ -132,10 +132,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void size_storage(int gathered);
   struct Arranging;
   template <class Call> void each_arranging(const Arranging &, Call);
-  int source_of(int row) const
-  {
-    return row < nparticles ? row : images.source_of(row - nparticles);
-  }
 
   // blocks
   int blocks() const { return end_of_own / LANES; }
@@ -268,7 +264,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   const double *near_factors(int block) const
   {
     const Rows &of = safe() ? near_pull : near_weight;
-    return of.data() + slots.near_first[block] * std::ptrdiff_t(LANES);
+    return of.data() + near_place(slots.first[block], block);
   }
   struct Power {
     Pack stress, viscous, corrected, hourglass;

@@ -273,6 +273,7 @@ template <> struct Motion<2> {
   Pack expanded_x() const { return shuffle<0, 0, 1, 1>(xv); }
   Pack expanded_v() const { return shuffle<2, 2, 3, 3>(xv); }
   Several<2> spread_x() const { return spread<2>(xv); }
+
   // products with x, summed: over lanes 0 and 1 x.x, over the others v.x
   Pack products() const { return xv * shuffle<0, 1, 0, 1>(xv); }
   static double v_dot_x(Pack products)
@@ -307,6 +308,7 @@ template <> struct Motion<3> {
   Pack expanded_x() const { return position; }
   Pack expanded_v() const { return velocity; }
   Several<3> spread_x() const { return spread<3>(position); }
+
   // of v.x only
   Pack products() const { return velocity * position; }
   static double v_dot_x(Pack products) { return sum(products); }

@@ -72,7 +72,13 @@ template <int D> class PointSweeps : public Sweeps {
   std::vector<Resistance<>> resistances;    // of the types
   std::vector<Compression<>> compressions;
   std::vector<int> image_first, image_j;    // candidates among the images
+  int nparticles = 0;                       // own and ghosts, before images
 
+  // the particle that a row belongs to: for an image, that which it is one of
+  int source_of(int row) const
+  {
+    return row < nparticles ? row : images.source_of(row - nparticles);
+  }
   void find_image_candidates(const Particles &, const NeighborRows &, double **x, double reach);
   bool lonely = false;    // a particle here has no nearest neighbor: its viscosity stays whole
   bool safe() const { return needs_correction() && opt.weights == Weights::SAFE; }
@@ -145,6 +151,13 @@ template <int D> class PointSweeps : public Sweeps {
   static void load_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
   static void store_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
   Points update_points(const Particles &, const Batch &, const Tensor<D, Pack> &L_mid, double dt);
+  // what update_points() reads of LANES particles from next on
+  static void prefetch_state(const Particles &p, int next)
+  {
+    prefetch(p.stress[next], 6 * LANES);
+    const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume};
+    for (const double *array : arrays) prefetch(array + next, LANES);
+  }
   static int unphysical(const Batch &, Pack rho, Pack others);
   Pack own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const;
 

@@ -49,8 +49,9 @@ template <int D> class RowSweeps : public PointSweeps<D> {
 
  protected:
   using Base = PointSweeps<D>;
-  using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nthreads,
-      Base::opt, Base::keeps_pairs, Base::lonely, Base::safe, Base::types;
+  using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
+      Base::nthreads, Base::opt, Base::keeps_pairs, Base::lonely, Base::safe, Base::source_of,
+      Base::types;
   using Batch = typename Base::Batch;
   using Points = typename Base::Points;
   using Kin = Kinematics<D>;
@@ -58,7 +59,7 @@ template <int D> class RowSweeps : public PointSweeps<D> {
   static constexpr int VECTOR = Blocks<D>::VECTOR;
 
   int ntensors, stress_stride;
-  int nown = 0, nparticles = 0, nrows = 0;    // own; own and ghost; with images
+  int nown = 0, nrows = 0;    // own; own and ghost with images
 
   Rows krow, srow, da;           // rows of kinematics, stress, da
   std::vector<double> mu_max;    // largest approach rate of own particles
@@ -82,11 +83,6 @@ template <int D> class RowSweeps : public PointSweeps<D> {
   bool is_lonely(int i) const { return needs_correction() && !(str(i)[Str::NSUM] > 0.0); }
 
   void size_rows(const Particles &, const NeighborRows &);
-  // the particle that a row belongs to: for an image, that which it is one of
-  int source_of(int row) const
-  {
-    return row < nparticles ? row : images.source_of(row - nparticles);
-  }
   void mirror_vectors(double *rows, int stride) const;
   double *place_of(Message, int i);
 
@@ -132,8 +128,7 @@ template <int D> class RowSweeps : public PointSweeps<D> {
   Pack near_force(int i, int pair, const Motion<D> &d) const;
   template <class OfRow> void sum_virial(const NeighborRows &, double *six, OfRow of_row) const;
 
-  template <class Along>
-  void sum_switch(const Particles &, const NeighborRows &, int at_rate, Along along);
+  void sum_switch(const Particles &, const NeighborRows &, int at_rate);
 };
 
 /* ----------------------------------------------------------------------
@@ -227,10 +222,8 @@ template <int D> void RowSweeps<D>::prefetch_points(const Particles &p, const Ba
 {
   const int next = batch.i[0] + LANES;
   if (next + LANES > nown) return;
-  prefetch(p.stress[next], 6 * LANES);
+  Base::prefetch_state(p, next);
   prefetch(str(next), LANES * stress_stride);
-  const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume};
-  for (const double *array : arrays) prefetch(array + next, LANES);
 }
 
 /* ----------------------------------------------------------------------

@@ -10,13 +10,10 @@
 
 namespace SPHSolid {
 
-// at_rate: where in a row the tensor R is that predicts the jump x_ij.R along(i, k, d)
-// of pair k, d being the difference of motion
+// at_rate: where in a row the tensor R is that predicts the jump x_ij.R x_ij of a pair
 
 template <int D>
-template <class Along>
-void RowSweeps<D>::sum_switch(const Particles &p, const NeighborRows &list, int at_rate,
-                              Along along)
+void RowSweeps<D>::sum_switch(const Particles &p, const NeighborRows &list, int at_rate)
 {
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(nthreads)
@@ -33,7 +30,7 @@ void RowSweeps<D>::sum_switch(const Particles &p, const NeighborRows &list, int 
       Pack l_i[BLOCK], l_j[BLOCK];
       for (int m = 0; m < BLOCK; m++) {
         d[m] = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
-        const Several<D> X = along(i, k + m, d[m]);
+        const Several<D> X = d[m].spread_x();
         const Addresses sj(srow.data(), j + m, stress_stride);
         l_i[m] = d[m].expanded_x() * times(rate, X);
         l_j[m] = d[m].expanded_x() * times(load_tensor<D>(sj + at_rate), X);

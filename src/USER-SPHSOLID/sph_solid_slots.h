@@ -94,7 +94,8 @@ struct Slots {
   {
     const std::size_t ints = first.capacity() + near_first.capacity() + offset.capacity() +
         gathered.capacity() + count.capacity();
-    return static_cast<double>((factor.capacity() + nearness.capacity()) * sizeof(float) +
+    return static_cast<double>(foremost.capacity() +
+                               (factor.capacity() + nearness.capacity()) * sizeof(float) +
                                ints * sizeof(int));
   }
 };

@@ -292,9 +292,7 @@ Tensor<D, Pack> EulerianSweeps<D>::tension_stress(const Tensor<D, Pack> &sigma) 
 
 template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
 {
-  Base::sum_switch(p, list, at_rate(), [](int, int, const Motion<D> &d) {
-    return d.spread_x();
-  });
+  Base::sum_switch(p, list, at_rate());
 }
 
 /* ----------------------------------------------------------------------

@@ -162,9 +162,8 @@ void LagrangianSweeps<D>::prefetch_points(const Particles &p, int block, const B
 {
   const int next = batch.i[0] + 2 * LANES;
   if (!batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal) return;
-  prefetch(p.stress[next], 6 * LANES);
-  const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume, p.vref};
-  for (const double *array : arrays) prefetch(array + next, LANES);
+  Base::prefetch_state(p, next);
+  prefetch(p.vref + next, LANES);
   prefetch(&B[(block + 2) * D * D * LANES], D * D * LANES);
   const double *at = columns.at((block + 2) * LANES);
   for (int c = T; c < at_da; c++) prefetch(at + c * NEXT, 1);
