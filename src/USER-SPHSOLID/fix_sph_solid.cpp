@@ -23,6 +23,7 @@
 #include "modify.h"
 #include "pair_sph_solid.h"
 #include "sph_solid_sweeps.h"
+#include "sph_solid_threads.h"
 #include "update.h"
 
 #include <cstdint>
@@ -185,15 +186,14 @@ void FixSPHSolid::initial_integrate(int)
   const int nlocal = atom->nlocal, *mask = atom->mask;
   const bool three = domain->dimension == 3;
   const double dt = update->dt;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
-#endif
-  for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
-    x[i][0] += dt * v[i][0];
-    x[i][1] += dt * v[i][1];
-    if (three) x[i][2] += dt * v[i][2];
-  }
+  SPHSolid::each_share(comm->nthreads, nlocal, [&](int first, int end) {
+    for (int i = first; i < end; i++) {
+      if (!(mask[i] & groupbit)) continue;
+      x[i][0] += dt * v[i][0];
+      x[i][1] += dt * v[i][1];
+      if (three) x[i][2] += dt * v[i][2];
+    }
+  });
 }
 
 // neighbors are about to be new, and with them all that the last force evaluation left behind
@@ -214,16 +214,15 @@ void FixSPHSolid::kick(double dtf)
   double **v = atom->v, **f = atom->f, *rmass = atom->rmass;
   const int nlocal = atom->nlocal, *mask = atom->mask;
   const bool three = domain->dimension == 3;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
-#endif
-  for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
-    const double dtfm = dtf / rmass[i];
-    v[i][0] += dtfm * f[i][0];
-    v[i][1] += dtfm * f[i][1];
-    if (three) v[i][2] += dtfm * f[i][2];
-  }
+  SPHSolid::each_share(comm->nthreads, nlocal, [&](int first, int end) {
+    for (int i = first; i < end; i++) {
+      if (!(mask[i] & groupbit)) continue;
+      const double dtfm = dtf / rmass[i];
+      v[i][0] += dtfm * f[i][0];
+      v[i][1] += dtfm * f[i][1];
+      if (three) v[i][2] += dtfm * f[i][2];
+    }
+  });
 }
 
 void FixSPHSolid::add_heat()
@@ -245,11 +244,10 @@ void FixSPHSolid::take_up(const double *energy)
   double *e = atom->esph;
   const double *mass = atom->rmass;
   const int nlocal = atom->nlocal;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
-#endif
-  for (int i = 0; i < nlocal; i++)
-    if (pair->has_material(i)) e[i] += energy[i] / mass[i];
+  SPHSolid::each_share(comm->nthreads, nlocal, [&](int first, int end) {
+    for (int i = first; i < end; i++)
+      if (pair->has_material(i)) e[i] += energy[i] / mass[i];
+  });
 }
 
 // the next run starts from rest in time

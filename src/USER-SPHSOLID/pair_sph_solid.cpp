@@ -31,6 +31,7 @@
 #include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
 #include "sph_solid_sweeps.h"
+#include "sph_solid_threads.h"
 #include "update.h"
 
 #include <algorithm>
@@ -59,7 +60,8 @@ static constexpr int OVERLOAD_EVERY = 20;
 /* ---------------------------------------------------------------------- */
 
 PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
-    Pair(lmp), options(nullptr), types(nullptr), sweeps(nullptr), kept(nullptr), partners(nullptr)
+    Pair(lmp), options(nullptr), types(nullptr), own(nullptr), sweeps(nullptr), kept(nullptr),
+    partners(nullptr)
 {
   if (lmp->citeme) lmp->citeme->add(cite_sph_solid);
   single_enable = 0;
@@ -227,7 +229,6 @@ void PairSPHSolid::renew_reference(int groupbit)
 void PairSPHSolid::pack_kinematics(bool setup)
 {
   const Particles p = particles();
-  SPHSolidArrays *own = AtomVecSPHSolid::arrays(atom);
   resumed = setup && resume;
   resume = false;
   if (resumed) {
@@ -237,11 +238,10 @@ void PairSPHSolid::pack_kinematics(bool setup)
   } else {
     if (!partners) std::copy(p.rho, p.rho + p.nall, p.rho_weight);
     double **vhalf = own->vhalf;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
-#endif
-    for (int i = 0; i < p.nlocal; i++)
-      for (int k = 0; k < 3; k++) vhalf[i][k] = p.v[i][k];
+    each_share(comm->nthreads, p.nlocal, [&](int first, int end) {
+      for (int i = first; i < end; i++)
+        for (int k = 0; k < 3; k++) vhalf[i][k] = p.v[i][k];
+    });
   }
   sweeps->pack_kinematics(p, resumed ? own->vhalf : p.v);
 }
@@ -271,7 +271,6 @@ void PairSPHSolid::sort_rows()
 
 Particles PairSPHSolid::particles() const
 {
-  SPHSolidArrays *own = AtomVecSPHSolid::arrays(atom);
   Particles p;
   p.nlocal = atom->nlocal;
   p.nall = atom->nlocal + atom->nghost;
@@ -306,9 +305,7 @@ void PairSPHSolid::stop_unphysical(int i)
              "expected finite values and a density > 0. The usual causes are a time step that is "
              "too long (fix sph/solid/dt) and viscosity none",
              atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2], update->ntimestep,
-             atom->rho[i], pressure(i), AtomVecSPHSolid::arrays(atom)->stress[i][0],
-             AtomVecSPHSolid::arrays(atom)->stress[i][1],
-             AtomVecSPHSolid::arrays(atom)->stress[i][2]);
+             atom->rho[i], pressure(i), own->stress[i][0], own->stress[i][1], own->stress[i][2]);
 }
 
 // a particle with a history and no neighbor any more has left its body
@@ -316,7 +313,6 @@ void PairSPHSolid::stop_unphysical(int i)
 void PairSPHSolid::warn_lost_neighbors()
 {
   if (warned_lost) return;
-  SPHSolidArrays *own = AtomVecSPHSolid::arrays(atom);
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     const bool strained = own->epl[i] > 0.0 || own->stress[i][0] != 0.0;
@@ -369,7 +365,7 @@ void PairSPHSolid::forward(Message what)
 int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int, int *)
 {
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
-  double **vhalf = message_of_sweeps ? nullptr : AtomVecSPHSolid::arrays(atom)->vhalf;
+  double **vhalf = message_of_sweeps ? nullptr : own->vhalf;
   for (int k = 0; k < n; k++)
     if (message_of_sweeps)
       sweeps->pack(message, atoms[k], &buf[k * size]);
@@ -382,7 +378,7 @@ void PairSPHSolid::unpack_forward_comm(int n, int first, double *buf)
 {
   const Particles p = particles();
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
-  double **vhalf = message_of_sweeps ? nullptr : AtomVecSPHSolid::arrays(atom)->vhalf;
+  double **vhalf = message_of_sweeps ? nullptr : own->vhalf;
   for (int k = 0; k < n; k++)
     if (message_of_sweeps)
       sweeps->unpack(message, p, first + k, &buf[k * size]);
@@ -406,16 +402,15 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool 
 {
   const Particles p = particles();
   const int *mask = atom->mask;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(comm->nthreads)
-#endif
-  for (int i = 0; i < p.nlocal; i++) {
-    const double *v = p.v[i], *f = p.f[i];
-    const double a = (mask[i] & integrated) ? a_scale / p.mass[i] : 0.0;
-    const double u[3] = {v_scale * v[0] + a * f[0], v_scale * v[1] + a * f[1],
-                         v_scale * v[2] + a * f[2]};
-    sweeps->unpack(Message::DISPLACEMENT, p, i, u);
-  }
+  each_share(comm->nthreads, p.nlocal, [&](int first, int end) {
+    for (int i = first; i < end; i++) {
+      const double *v = p.v[i], *f = p.f[i];
+      const double a = (mask[i] & integrated) ? a_scale / p.mass[i] : 0.0;
+      const double u[3] = {v_scale * v[0] + a * f[0], v_scale * v[1] + a * f[1],
+                           v_scale * v[2] + a * f[2]};
+      sweeps->unpack(Message::DISPLACEMENT, p, i, u);
+    }
+  });
   forward(Message::DISPLACEMENT);
   sweeps->heat(p, rows(), heat, book);
 }
@@ -486,13 +481,13 @@ double PairSPHSolid::pressure(int i) const
 void PairSPHSolid::cauchy_stress(int i, double *six) const
 {
   const double P = pressure(i);
-  const double *deviator = AtomVecSPHSolid::arrays(atom)->stress[i];
+  const double *deviator = own->stress[i];
   for (int k = 0; k < 6; k++) six[k] = deviator[k] - (k < 3 ? P : 0.0);
 }
 
 double PairSPHSolid::von_mises(int i) const
 {
-  const double *s = AtomVecSPHSolid::arrays(atom)->stress[i];
+  const double *s = own->stress[i];
   const double diagonal = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
   const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
   return std::sqrt(1.5 * diagonal + 3.0 * shear);
@@ -503,7 +498,7 @@ double PairSPHSolid::von_mises(int i) const
 double PairSPHSolid::elastic_energy(int i) const
 {
   const Material &m = types[atom->type[i]].material;
-  const double *s = AtomVecSPHSolid::arrays(atom)->stress[i];
+  const double *s = own->stress[i];
   const double diagonal = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
   const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
   const double P = pressure(i);

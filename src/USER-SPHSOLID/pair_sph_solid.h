@@ -102,6 +102,7 @@ class PairSPHSolid : public Pair {
  private:
   SPHSolid::Options *options;
   SPHSolid::TypeData *types;    // one per atom type, from 1
+  class SPHSolidArrays *own;    // of the atom style
   SPHSolid::Sweeps *sweeps;
   SPHSolid::Ledger *kept;    // energy ledger, while the sweeps are built anew
 

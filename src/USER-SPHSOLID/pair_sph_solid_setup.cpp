@@ -156,7 +156,8 @@ void PairSPHSolid::init_list(int id, NeighList *made)
 
 void PairSPHSolid::require_environment()
 {
-  if (!AtomVecSPHSolid::arrays(atom))
+  own = AtomVecSPHSolid::arrays(atom);    // of this Atom: replicate makes another
+  if (!own)
     error->all(FLERR, "Pair style sph/solid needs atom_style sph/solid (alone or in hybrid)");
   if (atom->tag_enable == 0) error->all(FLERR, "Pair style sph/solid needs atom IDs");
   const std::string units = update->unit_style;
@@ -238,7 +239,6 @@ void PairSPHSolid::require_cold_materials()
 
 void PairSPHSolid::fill_unset_state()
 {
-  SPHSolidArrays *own = AtomVecSPHSolid::arrays(atom);
   for (int i = 0; i < atom->nlocal; i++) {
     const int t = atom->type[i];
     if (!setflag[t][t]) continue;

@@ -135,12 +135,27 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
 
   // blocks
   int blocks() const { return end_of_own / LANES; }
-  NeighborRows own_list() { return {static_cast<int>(own.size()), own.data(), nullptr, nullptr}; }
+  NeighborRows own_list() const
+  {
+    return {static_cast<int>(own.size()), const_cast<int *>(own.data()), nullptr, nullptr};
+  }
   int particles_of(int block) const
   {
     return std::min(LANES, static_cast<int>(own.size()) - block * LANES);
   }
   template <class Call> Totals each_block(Call call);
+  Pack smoothing_lengths(const Particles &p, const Batch &batch) const
+  {
+    return Base::of_types(p, batch, [this](int t) {
+      return types[t].h;
+    });
+  }
+  Pack shear_moduli(const Particles &p, const Batch &batch) const
+  {
+    return Base::of_types(p, batch, [this](int t) {
+      return types[t].material.shear;
+    });
+  }
   // room for the components of gathered neighbors, as far apart as in columns
   struct Scratch {
     alignas(64) double of[(MOST + BLOCK) * NEXT];
@@ -204,7 +219,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
       for (int b = 0; b < D; b++) store(&of[((block * D + a) * D + b) * LANES], t(a, b));
   }
   static void add_forces(const Particles &, const Batch &, const Pack *f);
-  static Tensor<D> own_tensor(const Rows &, int column);
+  static Tensor<D> of_lane(const Tensors &, int lane);
   void mirror_vectors(int component);
   int place_of(Message) const;
   // x.TX, T of one particle or the sum of two
@@ -295,8 +310,9 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void near_weights(int block);
   void safe_pulls(int block);
 
-  Tensor<D> deformation_gradient(const Particles &, int column) const;
-  Overload overload(const Particles &, int column) const;
+  Tensors deformation_gradients(const Particles &, int block, const Batch &) const;
+  bool is_fine(const Particles &, int block, const Batch &) const;
+  Overload overload(const Tensor<D> &Fi, int block, int lane) const;
 };
 
 }    // namespace

@@ -168,18 +168,17 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
 template <int D>
 void LagrangianSweeps<D>::virial(const Particles &p, const NeighborRows &, double *six)
 {
-  double total[6] = {};
   const NeighborRows list = own_list();
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : total)
-#endif
-  for (int block = 0; block < blocks(); block++) {
-    const Tensors sum = block_virial(p, block, Batch(list, block * LANES));
-    for (int a = 0; a < D; a++)
-      for (int b = a; b < D; b++)
-        total[VOIGT[a][b]] += 0.5 * Base::sum_of_first(sum(b, a), particles_of(block));
-  }
-  for (int k = 0; k < 6; k++) six[k] += total[k];
+  Base::add_virial(blocks(), six, [&](int first, int end) {
+    typename Base::Six total = {};
+    for (int block = first; block < end; block++) {
+      const Tensors sum = block_virial(p, block, Batch(list, block * LANES));
+      for (int a = 0; a < D; a++)
+        for (int b = a; b < D; b++)
+          total[VOIGT[a][b]] += 0.5 * Base::sum_of_first(sum(b, a), particles_of(block));
+    }
+    return total;
+  });
 }
 
 // sum of f_ij (x) x_ij

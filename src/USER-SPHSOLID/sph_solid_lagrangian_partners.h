@@ -389,16 +389,10 @@ template <int D>
 template <class Call>
 void LagrangianSweeps<D>::each_arranging(const Arranging &first, Call call)
 {
-#if defined(_OPENMP)
-#pragma omp parallel num_threads(nthreads)
-#endif
-  {
+  each_share(nthreads, blocks(), [&](int begin, int end) {
     Arranging arranging = first;
-#if defined(_OPENMP)
-#pragma omp for schedule(static)
-#endif
-    for (int block = 0; block < blocks(); block++) call(arranging, block);
-  }
+    for (int block = begin; block < end; block++) call(arranging, block);
+  });
 }
 
 template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
@@ -438,43 +432,61 @@ template <int D> double least_stretch(const Tensor<D> &F)
   return std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
 }
 
-// of one particle among those of a block
+// a number that the least stretch is not below, and in two dimensions equal to but for rounding: of D
+// eigenvalues, the square of the distance of each from their mean is at most (D-1)/D of the sum of all
 
-template <int D> Tensor<D> LagrangianSweeps<D>::own_tensor(const Rows &tensors, int column)
+template <int D> Pack stretch_bound(const Tensor<D, Pack> &F)
 {
-  Tensor<D> t;
-  for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++)
-      t(a, b) = tensors[((column / LANES * D + a) * D + b) * LANES + column % LANES];
-  return t;
+  constexpr double ROUNDING = 1.0e-9;
+  Tensor<D, Pack> C = F.transpose() * F;
+  const Pack mean = C.trace() / double(D);
+  for (int a = 0; a < D; a++) C(a, a) -= mean;
+  const Pack least = mean - square_root(C.cwiseProduct(C).sum() * ((D - 1.0) / D));
+  return square_root(maximum(least - ROUNDING * mean, Pack(0.0)));
 }
 
 template <int D>
-Tensor<D> LagrangianSweeps<D>::deformation_gradient(const Particles &p, int column) const
+typename LagrangianSweeps<D>::Tensors
+LagrangianSweeps<D>::deformation_gradients(const Particles &p, int block, const Batch &batch) const
 {
-  if (!viscous()) return own_tensor(F, column);
-  const int i = own[column];
-  Tensor<D> C;
-  for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++) C(a, b) = columns.get(column, at_C + D * a + b);
-  const double J = p.mass[i] / (columns.get(column, RHO) * p.vref[i]);
-  return J * C.inverse().transpose() * own_tensor(B, column);
+  if (!viscous()) return load_tensors(F, block);
+  const double *i = columns.at(block * LANES);
+  const Pack J = batch.load(p.mass) / (component(i, RHO) * batch.load(p.vref));
+  return J * tensor(i, at_C).inverse().transpose() * load_tensors(B, block);
 }
+
+template <int D> Tensor<D> LagrangianSweeps<D>::of_lane(const Tensors &t, int lane)
+{
+  return t.unaryExpr([lane](const Pack &all) {
+    return all[lane];
+  });
+}
+
+// eigenvalues only where the bound could be the least of all
 
 template <int D>
 double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &) const
 {
-  double limit = 1.0e300;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(min : limit)
-#endif
-  for (int column = 0; column < static_cast<int>(own.size()); column++) {
-    const double s = least_stretch<D>(deformation_gradient(p, column));
-    const double unstretched = Base::step_limit(p.type[own[column]], columns.get(column, RHO),
-                                                columns.get(column, SOUND), mu_max[column]);
-    limit = std::min(limit, std::min(1.0, std::max(STEP_STRETCH, s)) * unstretched);
-  }
-  return limit;
+  const NeighborRows list = own_list();
+  auto stretched = [](auto s) {
+    using Real = decltype(s);
+    return minimum(Real(1.0), maximum(Real(STEP_STRETCH), s));
+  };
+  return Base::least_of(blocks(), NO_LIMIT, [&](int first, int end) {
+    double limit = NO_LIMIT;
+    for (int block = first; block < end; block++) {
+      const Batch batch(list, block * LANES);
+      const double *i = columns.at(block * LANES);
+      const Tensors Fi = deformation_gradients(p, block, batch);
+      const Pack unstretched =
+          Base::step_limit(smoothing_lengths(p, batch), shear_moduli(p, batch), component(i, RHO),
+                           component(i, SOUND), load(&mu_max[block * LANES]));
+      if (!(least(unstretched * stretched(stretch_bound<D>(Fi))) < limit)) continue;
+      for (int m = 0; m < batch.n; m++)
+        limit = std::min(limit, unstretched[m] * stretched(least_stretch<D>(of_lane(Fi, m))));
+    }
+    return limit;
+  });
 }
 
 /* ----------------------------------------------------------------------
@@ -484,21 +496,52 @@ double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRo
 
 template <int D> Overload LagrangianSweeps<D>::find_overload(const Particles &p) const
 {
-  const int n = static_cast<int>(own.size());
-  int first = n;    // of those that are beyond it
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(min : first)
-#endif
-  for (int column = 0; column < n; column++)
-    if (column < first && overload(p, column).kind != Overload::NONE) first = column;
-  return first < n ? overload(p, first) : Overload();
+  const NeighborRows list = own_list();
+  const int n = blocks();
+  const int block = Base::least_of(n, n, [&](int first, int end) {
+    while (first < end && is_fine(p, first, Batch(list, first * LANES))) first++;
+    return first < end ? first : n;
+  });
+  if (block == n) return {};
+  const Batch batch(list, block * LANES);
+  const Tensors Fi = deformation_gradients(p, block, batch);
+  for (int m = 0; m < batch.n; m++) {
+    const Overload found = overload(of_lane(Fi, m), block, m);
+    if (found.kind != Overload::NONE) return found;
+  }
+  return {};
 }
 
-template <int D> Overload LagrangianSweeps<D>::overload(const Particles &p, int column) const
+// is none of a block's particles beyond the end?
+
+template <int D>
+bool LagrangianSweeps<D>::is_fine(const Particles &p, int block, const Batch &batch) const
 {
+  const Tensors Fi = deformation_gradients(p, block, batch);
+  const Pack beyond = stretch_bound<D>(Fi) - LEAST_STRETCH;
+  Pack fine = minimum(beyond, Fi.determinant());
+  const double *i = columns.at(block * LANES);
+  Scratch scratch;
+  for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
+    const double *j = neighbors(slot, block, T, scratch);
+    Pack x[D], reference[D], apart = 0.0;
+    difference(i, j, X, x);
+    difference(i, j, REFERENCE, reference);
+    for (int a = 0; a < D; a++)
+      apart += x[a] * x[a] - LEAST_STRETCH * LEAST_STRETCH * reference[a] * reference[a];
+    fine = minimum(fine, where_positive(-factor(slot, j), apart, Pack(1.0)));
+  }
+  if (least(fine) > 0.0) return true;
+  for (int m = 0; m < batch.n; m++)
+    if (overload(of_lane(Fi, m), block, m).kind != Overload::NONE) return false;
+  return true;
+}
+
+template <int D>
+Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane) const
+{
+  const int column = block * LANES + lane, i = own[column];
   if (slots.count[column] == 0) return {};
-  const int i = own[column], block = column / LANES, lane = column % LANES;
-  const Tensor<D> Fi = deformation_gradient(p, column);
   const double J = Fi.determinant();
   if (!(J > 0.0)) return {Overload::TURNED_OVER, i, J};
   const double s = least_stretch<D>(Fi);

@@ -13,15 +13,14 @@ namespace {
 template <int D>
 void LagrangianSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
 {
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int i = 0; i < p.nall; i++) {
-    const int column = column_of[i];
-    if (column < 0) continue;
-    columns.set(column, X, p.x[i], D);
-    columns.set(column, V, v[i], D);
-  }
+  each_share(nthreads, p.nall, [&](int first, int end) {
+    for (int i = first; i < end; i++) {
+      const int column = column_of[i];
+      if (column < 0) continue;
+      columns.set(column, X, p.x[i], D);
+      columns.set(column, V, v[i], D);
+    }
+  });
   for (int k = 0; k < images.count(); k++) {
     const int column = column_of[nparticles + k];
     double at[D];

@@ -16,8 +16,10 @@
 #include "sph_solid_strength.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_switch.h"
+#include "sph_solid_threads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
@@ -30,6 +32,9 @@ constexpr int INDEX_MASK = 0x1FFFFFFF;
 // a particle this close to its image, in smoothing lengths, is on the plane, and
 // both are the two halves of one particle
 constexpr double COINCIDE = 1.0e-6;
+
+// longer than any time step [time]
+constexpr double NO_LIMIT = 1.0e300;
 
 // call with the form of the pair viscosity as a constant
 
@@ -93,7 +98,7 @@ template <int D> class PointSweeps : public Sweeps {
     if (opt.viscosity == Viscosity::NONE) return false;
     return !needs_correction() || opt.heating == Heating::PRINTED || lonely;
   }
-  double step_limit(int type, double rho, double c, double mu_max) const;
+  template <class Real> Real step_limit(Real h, Real shear, Real rho, Real c, Real mu_max) const;
 
   // as many own particles as there are lanes; at the end of a list the last one fills up
   struct Batch {
@@ -164,8 +169,32 @@ template <int D> class PointSweeps : public Sweeps {
   // sums of one evaluation as the ledger has them
   struct Totals {
     double plastic = 0.0, viscous = 0.0, standard = 0.0, hourglass = 0.0;
+    static void add(Totals &sum, const Totals &t)
+    {
+      sum.plastic += t.plastic;
+      sum.viscous += t.viscous;
+      sum.standard += t.standard;
+      sum.hourglass += t.hourglass;
+    }
   };
   void enter(const Totals &, double factor);
+
+  // six numbers from of_share(first, end) for the shares of n particles or blocks, minus the virial
+  // of a pair style; the least of others
+  using Six = std::array<double, 6>;
+  template <class Call> void add_virial(int n, double *six, Call of_share) const
+  {
+    const Six total = join_shares(nthreads, n, Six(), of_share, [](Six &sum, const Six &share) {
+      for (int k = 0; k < 6; k++) sum[k] += share[k];
+    });
+    for (int k = 0; k < 6; k++) six[k] += total[k];
+  }
+  template <class Real, class Call> Real least_of(int n, Real most, Call of_share) const
+  {
+    return join_shares(nthreads, n, most, of_share, [](Real &least, Real share) {
+      least = std::min(least, share);
+    });
+  }
 };
 
 // candidates among the images: those of every neighbor and of i itself, at x
@@ -315,13 +344,14 @@ template <int D> Pack PointSweeps<D>::own_switch(const Tensor<D, Pack> &L, Pack 
 ------------------------------------------------------------------------- */
 
 template <int D>
-double PointSweeps<D>::step_limit(int type, double rho, double c, double mu_max) const
+template <class Real>
+Real PointSweeps<D>::step_limit(Real h, Real shear, Real rho, Real c, Real mu_max) const
 {
   const double retained = opt.viscosity == Viscosity::NONE ? 0.0
       : needs_correction()                                 ? CORRECTION_RETAINS
                                                            : 1.0;
-  const double c_l = std::sqrt(c * c + 4.0 * types[type].material.shear / (3.0 * rho));
-  return types[type].h / (c_l + 0.6 * retained * (opt.a1 * c + opt.a2 * mu_max));
+  const Real c_l = square_root(c * c + 4.0 * shear / (3.0 * rho));
+  return h / (c_l + 0.6 * retained * (opt.a1 * c + opt.a2 * mu_max));
 }
 
 template <int D> void PointSweeps<D>::enter(const Totals &t, double factor)

@@ -158,11 +158,10 @@ template <int D> void RowSweeps<D>::size_rows(const Particles &p, const Neighbor
   }
   pairs.j.resize(pairs.first[p.nlocal]);
   pairs.factor.resize(pairs.first[p.nlocal]);
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int row = 0; row < nrows; row++)
-    pack_constants(p, source_of(row), &krow[static_cast<std::size_t>(row) * Kin::STRIDE]);
+  each_share(nthreads, nrows, [&](int first, int end) {
+    for (int row = first; row < end; row++)
+      pack_constants(p, source_of(row), &krow[static_cast<std::size_t>(row) * Kin::STRIDE]);
+  });
 }
 
 /* ---------------------------------------------------------------------- */
@@ -170,18 +169,17 @@ template <int D> void RowSweeps<D>::size_rows(const Particles &p, const Neighbor
 template <int D> void RowSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
 {
   double *rows = krow.data();
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int i = 0; i < p.nall; i++) {
-    double *row = rows + static_cast<std::size_t>(i) * Kin::STRIDE;
-    const double *x = p.x[i], *vi = v[i];
-    for (int a = 0; a < D; a++) {
-      row[Kin::X + a] = x[a];
-      row[Kin::V + a] = vi[a];
+  each_share(nthreads, p.nall, [&](int first, int end) {
+    for (int i = first; i < end; i++) {
+      double *row = rows + static_cast<std::size_t>(i) * Kin::STRIDE;
+      const double *x = p.x[i], *vi = v[i];
+      for (int a = 0; a < D; a++) {
+        row[Kin::X + a] = x[a];
+        row[Kin::V + a] = vi[a];
+      }
+      row[Kin::VOLUME] = weight_volume(p, i);
     }
-    row[Kin::VOLUME] = weight_volume(p, i);
-  }
+  });
   for (int k = 0; k < nrows - p.nall; k++) {
     const double *from = kin(images.source_of(k));
     double *row = &krow[(p.nall + k) * Kin::STRIDE];
@@ -294,16 +292,18 @@ template <int D> void RowSweeps<D>::mirror_vectors(double *rows, int stride) con
 template <int D>
 double RowSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &list) const
 {
-  double limit = 1.0e300;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(min : limit)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    const double *row = str(i);
-    limit = std::min(limit, Base::step_limit(p.type[i], row[Str::RHO], row[Str::C], mu_max[i]));
-  }
-  return limit;
+  return Base::least_of(list.inum, NO_LIMIT, [&](int first, int end) {
+    double limit = NO_LIMIT;
+    for (int ii = first; ii < end; ii++) {
+      const int i = list.ilist[ii];
+      const double *row = str(i);
+      const TypeData &type = types[p.type[i]];
+      limit = std::min(
+          limit,
+          Base::step_limit(type.h, type.material.shear, row[Str::RHO], row[Str::C], mu_max[i]));
+    }
+    return limit;
+  });
 }
 
 template <int D> double RowSweeps<D>::memory_usage() const

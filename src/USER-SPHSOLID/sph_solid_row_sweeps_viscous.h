@@ -15,39 +15,38 @@ namespace SPHSolid {
 template <int D>
 void RowSweeps<D>::sum_switch(const Particles &p, const NeighborRows &list, int at_rate)
 {
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    const Motion<D> own(kin(i));
-    const Several<D> rate = load_tensor<D>(str(i) + at_rate);
-    const double h = types[p.type[i]].h, least = MU_EPSILON * h * h;    // particles may meet
-    Pack rest2 = 0.0, linear2 = 0.0;
-    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
-      const int *j = &pairs.j[k];
-      Motion<D> d[BLOCK];
-      Pack l_i[BLOCK], l_j[BLOCK];
-      for (int m = 0; m < BLOCK; m++) {
-        d[m] = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
-        const Several<D> X = d[m].spread_x();
-        const Addresses sj(srow.data(), j + m, stress_stride);
-        l_i[m] = d[m].expanded_x() * times(rate, X);
-        l_j[m] = d[m].expanded_x() * times(load_tensor<D>(sj + at_rate), X);
+  each_share(nthreads, list.inum, [&](int first, int end) {
+    for (int ii = first; ii < end; ii++) {
+      const int i = list.ilist[ii];
+      const Motion<D> own(kin(i));
+      const Several<D> rate = load_tensor<D>(str(i) + at_rate);
+      const double h = types[p.type[i]].h, least = MU_EPSILON * h * h;    // particles may meet
+      Pack rest2 = 0.0, linear2 = 0.0;
+      for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
+        const int *j = &pairs.j[k];
+        Motion<D> d[BLOCK];
+        Pack l_i[BLOCK], l_j[BLOCK];
+        for (int m = 0; m < BLOCK; m++) {
+          d[m] = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
+          const Several<D> X = d[m].spread_x();
+          const Addresses sj(srow.data(), j + m, stress_stride);
+          l_i[m] = d[m].expanded_x() * times(rate, X);
+          l_j[m] = d[m].expanded_x() * times(load_tensor<D>(sj + at_rate), X);
+        }
+        const Pack weight = pack_of([&](int m) {
+          return -kin(j[m])[Kin::VOLUME] * pairs.factor[k + m];
+        });
+        const Components<D> apart = Motion<D>::components(d);
+        const Pack r2 = apart.x_dot_x(), vr = apart.v_dot_x();
+        const Pack li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
+        const Pack lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
+        const Pack rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
+        rest2 += w * rest * rest;
+        linear2 += 0.5 * w * (li * li + lj * lj);
       }
-      const Pack weight = pack_of([&](int m) {
-        return -kin(j[m])[Kin::VOLUME] * pairs.factor[k + m];
-      });
-      const Components<D> apart = Motion<D>::components(d);
-      const Pack r2 = apart.x_dot_x(), vr = apart.v_dot_x();
-      const Pack li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
-      const Pack lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
-      const Pack rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
-      rest2 += w * rest * rest;
-      linear2 += 0.5 * w * (li * li + lj * lj);
+      str(i)[Str::SWITCH] *= unresolved_share(sum(rest2), sum(linear2));
     }
-    str(i)[Str::SWITCH] *= unresolved_share(sum(rest2), sum(linear2));
-  }
+  });
 }
 
 template <int D> void RowSweeps<D>::mirror_switch()
@@ -64,21 +63,20 @@ template <int D> void RowSweeps<D>::correction(const Particles &p, const Neighbo
 {
   mirror_vectors(da.data(), VECTOR);
   if (safe()) near_pull.resize(near_weight.size());
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    Pack sum = 0.0;
-    if (safe())
-      sum = central_correction(i);
-    else
-      each_few(i, [&](Pack w, const int *, Pack difference) {
-        sum += w * difference;
-      });
-    sum = sum_of_blocks(sum);
-    for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * few_summed<D>(sum, a);
-  }
+  each_share(nthreads, list.inum, [&](int first, int end) {
+    for (int ii = first; ii < end; ii++) {
+      const int i = list.ilist[ii];
+      Pack sum = 0.0;
+      if (safe())
+        sum = central_correction(i);
+      else
+        each_few(i, [&](Pack w, const int *, Pack difference) {
+          sum += w * difference;
+        });
+      sum = sum_of_blocks(sum);
+      for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * few_summed<D>(sum, a);
+    }
+  });
 }
 
 // the same with weights safe; the sum in the first lanes
@@ -117,29 +115,28 @@ void RowSweeps<D>::sum_virial(const NeighborRows &list, double *six, OfRow of_ro
   auto away = [kall, neighbor](const Motion<D> &own, int k) {
     return own - Motion<D>(kall + static_cast<std::int64_t>(neighbor[k]) * Kin::STRIDE);
   };
-  double total[6] = {};
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : total)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii], first = pairs.first[i], end = first + pairs.count[i];
-    const Motion<D> own(kin(i));
-    const auto force = of_row(i);
-    Several<D> sum = Several<D>::zero();    // (a,b): f_a x_b
-    for (int k = first; k < end; k++) {
-      const Motion<D> d = away(own, k);
-      add_outer(sum, force(k, d), d.spread_x());
+  Base::add_virial(list.inum, six, [&](int begin, int end) {
+    typename Base::Six total = {};
+    for (int ii = begin; ii < end; ii++) {
+      const int i = list.ilist[ii], first = pairs.first[i];
+      const Motion<D> own(kin(i));
+      const auto force = of_row(i);
+      Several<D> sum = Several<D>::zero();    // (a,b): f_a x_b
+      for (int k = first; k < first + pairs.count[i]; k++) {
+        const Motion<D> d = away(own, k);
+        add_outer(sum, force(k, d), d.spread_x());
+      }
+      for (int k = first; k < first + pairs.nearest[i]; k++) {
+        const Motion<D> d = away(own, k);
+        add_outer(sum, near_force(i, k, d), d.spread_x());
+      }
+      double rows[Blocks<D>::TENSOR];
+      store_tensor<D>(Addresses(rows), sum);
+      for (int a = 0; a < D; a++)
+        for (int b = a; b < D; b++) total[VOIGT[a][b]] += 0.5 * rows[Blocks<D>::at(b, a)];
     }
-    for (int k = first; k < first + pairs.nearest[i]; k++) {
-      const Motion<D> d = away(own, k);
-      add_outer(sum, near_force(i, k, d), d.spread_x());
-    }
-    double rows[Blocks<D>::TENSOR];
-    store_tensor<D>(Addresses(rows), sum);
-    for (int a = 0; a < D; a++)
-      for (int b = a; b < D; b++) total[VOIGT[a][b]] += 0.5 * rows[Blocks<D>::at(b, a)];
-  }
-  for (int n = 0; n < 6; n++) six[n] += total[n];
+    return total;
+  });
 }
 
 // what the correction puts on i for its nearest neighbor in a pair, expanded
@@ -165,25 +162,29 @@ template <class OfRow>
 void RowSweeps<D>::sum_heat(const NeighborRows &list, double *heat, bool book, OfRow of_row)
 {
   mirror_vectors(&krow[Kin::V], Kin::STRIDE);
-  double viscous = 0.0, standard = 0.0;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) reduction(+ : viscous, standard)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    const Power power = of_row(i);
-    double q = power.viscous;
-    if (needs_correction()) {
-      // what the standard viscosity would heat: q has all of it for eq. 30,
-      // else the pairs that no correction touches
-      q += lonely_power(i);
-      standard += q + standard_power(i, u(i));
-      q += heat_correction(i);
-    }
-    heat[i] = power.stress + q;
-    viscous += q;
-  }
-  if (book) Base::enter({0.0, viscous, standard, 0.0}, 1.0);
+  using Totals = typename Base::Totals;
+  const Totals totals = join_shares(
+      nthreads, list.inum, Totals(),
+      [&](int first, int end) {
+        Totals share;
+        for (int ii = first; ii < end; ii++) {
+          const int i = list.ilist[ii];
+          const Power power = of_row(i);
+          double q = power.viscous;
+          if (needs_correction()) {
+            // what the standard viscosity would heat: q has all of it for eq. 30,
+            // else the pairs that no correction touches
+            q += lonely_power(i);
+            share.standard += q + standard_power(i, u(i));
+            q += heat_correction(i);
+          }
+          heat[i] = power.stress + q;
+          share.viscous += q;
+        }
+        return share;
+      },
+      Totals::add);
+  if (book) Base::enter(totals, 1.0);
 }
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are

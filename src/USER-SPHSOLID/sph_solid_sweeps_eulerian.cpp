@@ -199,29 +199,27 @@ template <int D>
 int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, double dt)
 {
   std::atomic<int> bad(-1);
-  double plastic = 0.0;
-#if defined(_OPENMP)
-#pragma omp parallel num_threads(nthreads) reduction(+ : plastic)
-#endif
-  {
+  auto of_share = [&](int first, int end) {
+    double plastic = 0.0;
     Scratch s;
-#if defined(_OPENMP)
-#pragma omp for schedule(static)
-#endif
-    for (int first = 0; first < list.inum; first += LANES) {
-      const typename Base::Batch batch(list, first);
+    for (int at = first * LANES; at < end * LANES; at += LANES) {
+      const typename Base::Batch batch(list, at);
       Base::prefetch_points(p, batch);
       Sums sums;
       for (int m = 0; m < LANES; m++) {
-        if (first + m < list.inum) find_pairs(batch.i[m], list, s);
+        if (m < batch.n) find_pairs(batch.i[m], list, s);
         accumulate(batch.i[m], sums, m);
       }
-      const int unphysical =
-          update(p, batch, std::min(LANES, list.inum - first), sums, dt, plastic);
+      const int unphysical = update(p, batch, batch.n, sums, dt, plastic);
       if (unphysical >= 0) bad = unphysical;
     }
-  }
-  this->ledger.plastic_work += plastic;
+    return plastic;
+  };
+  const int batches = whole_vectors(list.inum) / LANES;
+  this->ledger.plastic_work +=
+      join_shares(nthreads, batches, 0.0, of_share, [](double &sum, double share) {
+        sum += share;
+      });
   return bad;
 }
 
@@ -310,17 +308,16 @@ template <int D>
 template <PairForm FORM>
 void EulerianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
 {
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads)
-#endif
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    if (opt.tensile)
-      force_row<FORM, true>(p, i);
-    else
-      force_row<FORM, false>(p, i);
-    if (FORM != PairForm::NONE && lonely) Base::lonely_pairs(p, i);
-  }
+  each_share(nthreads, list.inum, [&](int first, int end) {
+    for (int ii = first; ii < end; ii++) {
+      const int i = list.ilist[ii];
+      if (opt.tensile)
+        force_row<FORM, true>(p, i);
+      else
+        force_row<FORM, false>(p, i);
+      if (FORM != PairForm::NONE && lonely) Base::lonely_pairs(p, i);
+    }
+  });
 }
 
 // f_i = K_i sum_j K_j (T_i + T_j) g_ij - m_i sum_j m_j Pi_ij g_ij, g = F x_ij

@@ -69,20 +69,15 @@ template <class Call>
 typename LagrangianSweeps<D>::Totals LagrangianSweeps<D>::each_block(Call call)
 {
   const NeighborRows list = own_list();
-  double plastic = 0.0, viscous = 0.0, standard = 0.0, hourglass = 0.0;
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(static) num_threads(nthreads) \
-    reduction(+ : plastic, viscous, standard, hourglass)
-#endif
-  for (int block = 0; block < blocks(); block++) {
-    Totals t;
-    call(block, Batch(list, block * LANES), t);
-    plastic += t.plastic;
-    viscous += t.viscous;
-    standard += t.standard;
-    hourglass += t.hourglass;
-  }
-  return {plastic, viscous, standard, hourglass};
+  return join_shares(
+      nthreads, blocks(), Totals(),
+      [&](int first, int end) {
+        Totals totals;
+        for (int block = first; block < end; block++)
+          call(block, Batch(list, block * LANES), totals);
+        return totals;
+      },
+      Totals::add);
 }
 
 // behind the last particle the last one again
@@ -132,20 +127,13 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
     store(&early[block * LANES], V0 * sums.velocity.cwiseProduct(sigma_C).sum());
 
   const int column = block * LANES;
-  auto of_types = [&](auto value) {
-    return Base::of_types(p, batch, value);
-  };
-  const Pack h = of_types([&](int t) {
-    return types[t].h;
-  });
+  const Pack h = smoothing_lengths(p, batch);
   store_tensor(column, T, sigma_C);
   columns.store(column, RHO, rho);
   columns.store(column, SOUND, c);
   if (keeps_rates()) {
-    const Pack shear = of_types([&](int t) {
-      return types[t].material.shear;
-    });
-    columns.store(column, IMPEDANCE, rho * h * square_root(c * c + 4.0 * shear / (3.0 * rho)));
+    const Pack longitudinal2 = c * c + 4.0 * shear_moduli(p, batch) / (3.0 * rho);
+    columns.store(column, IMPEDANCE, rho * h * square_root(longitudinal2));
     store_tensor(column, at_rate, rate);
   }
   if (viscous()) store_tensor(column, at_C, C);
@@ -238,7 +226,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
 
     // lanes without a partner may lie on what they read
     const Components<D> d = motion(i, j);
-    const Pack r2 = where_positive(-f, d.x_dot_x(), one), vr = d.v_dot_x(), inv_r2 = 1.0 / r2;
+    const Pack r2 = where_positive(-f, d.x_dot_x(), one), vr = d.v_dot_x();
+    const Pack inv_r2 = 1.0 / r2;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {
       li = along(i, R_AT, d.x, X);

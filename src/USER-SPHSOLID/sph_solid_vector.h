@@ -126,6 +126,18 @@ inline Native native_square_root(const Native &a)
     return std::sqrt(a[k]);
   });
 }
+inline Native native_minimum(const Native &a, const Native &b)
+{
+  return each_lane([&](int k) {
+    return a[k] < b[k] ? a[k] : b[k];
+  });
+}
+inline Native native_maximum(const Native &a, const Native &b)
+{
+  return each_lane([&](int k) {
+    return a[k] > b[k] ? a[k] : b[k];
+  });
+}
 template <int i, int j, int k, int l> inline Native native_shuffle(const Native &a, const Native &b)
 {
   const int from[BLOCK] = {i, j, k, l};
@@ -177,6 +189,22 @@ inline Native native_square_root(Native a)
 #else
   for (int k = 0; k < LANES; k++) a[k] = std::sqrt(a[k]);
   return a;
+#endif
+}
+inline Native native_minimum(Native a, Native b)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_min_pd(0xFF, a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+inline Native native_maximum(Native a, Native b)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_max_pd(0xFF, a, b);
+#else
+  return a > b ? a : b;
 #endif
 }
 
@@ -455,14 +483,23 @@ inline double where_positive(double condition, double a, double b)
   return condition > 0.0 ? a : b;
 }
 
-template <class Real> inline Real minimum(Real a, Real b)
-{
-  return where_positive(b - a, a, b);
-}
+// of two, one of which is not a number, the second one
 
-template <class Real> inline Real maximum(Real a, Real b)
+inline double minimum(double a, double b)
 {
-  return where_positive(a - b, a, b);
+  return a < b ? a : b;
+}
+inline double maximum(double a, double b)
+{
+  return a > b ? a : b;
+}
+inline Pack minimum(Pack a, Pack b)
+{
+  return Pack(native_minimum(a.native(), b.native()));
+}
+inline Pack maximum(Pack a, Pack b)
+{
+  return Pack(native_maximum(a.native(), b.native()));
 }
 
 inline double square_root(double a)
