@@ -276,6 +276,9 @@ template <> struct Motion<2> {
 
   // products with x, summed: over lanes 0 and 1 x.x, over the others v.x
   Pack products() const { return xv * shuffle<0, 1, 0, 1>(xv); }
+  // the same with another vector, from load_vector()
+  Pack products(Pack vector) const { return xv * vector; }
+  static Pack load_vector(const Addresses &a) { return load_two_twice(a); }
   static double v_dot_x(Pack products)
   {
     const Pack s = sum_of_blocks(products);
@@ -311,6 +314,8 @@ template <> struct Motion<3> {
 
   // of v.x only
   Pack products() const { return velocity * position; }
+  Pack products(Pack vector) const { return velocity * vector; }
+  static Pack load_vector(const Addresses &a) { return load(a); }
   static double v_dot_x(Pack products) { return sum(products); }
   static Components<3> components(const Motion *d)
   {

@@ -16,16 +16,26 @@ namespace SPHSolid {
 // a sweep asks for the data of pairs so many pairs ahead
 constexpr int PAIRS_AHEAD = 64;
 
-// call with two flags as constants
+// call with flags as constants
 
-template <class Call> void with_flags(bool first, bool second, Call call)
+template <class Call> void with_flags(Call call)
 {
-  constexpr std::true_type yes;
-  constexpr std::false_type no;
-  if (first && second) call(yes, yes);
-  if (first && !second) call(yes, no);
-  if (!first && second) call(no, yes);
-  if (!first && !second) call(no, no);
+  call();
+}
+template <class Call, class... Flags> void with_flags(Call call, bool first, Flags... others)
+{
+  if (first)
+    with_flags(
+        [&](auto... flags) {
+          call(std::true_type(), flags...);
+        },
+        others...);
+  else
+    with_flags(
+        [&](auto... flags) {
+          call(std::false_type(), flags...);
+        },
+        others...);
 }
 
 template <int D> class RowSweeps : public PointSweeps<D> {
@@ -118,10 +128,16 @@ template <int D> class RowSweeps : public PointSweeps<D> {
   // what the forces of a row's pairs give to i while all particles move by u; of
   // the stress the half with sigma_i, of the viscosity half of each pair's
   struct Power {
-    double stress = 0.0, viscous = 0.0;
+    double stress = 0.0, viscous = 0.0, corrected = 0.0;
   };
   template <class OfRow> void sum_heat(const NeighborRows &, double *, bool book, OfRow of_row);
   double heat_correction(int i) const;
+  // the usual one: -1/4 sum w_ij (u_i - u_j).(da_i - da_j), along with the work of other forces
+  bool heats_with_pairs() const
+  {
+    return needs_correction() && opt.heating == Heating::COMPATIBLE &&
+        opt.weights == Weights::CONSERVATIVE;
+  }
   double standard_power(int i, const double *u) const;
 
   Pack central_correction(int i);

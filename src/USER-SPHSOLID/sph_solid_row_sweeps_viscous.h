@@ -176,7 +176,7 @@ void RowSweeps<D>::sum_heat(const NeighborRows &list, double *heat, bool book, O
             // else the pairs that no correction touches
             q += lonely_power(i);
             share.standard += q + standard_power(i, u(i));
-            q += heat_correction(i);
+            q += heats_with_pairs() ? power.corrected : heat_correction(i);
           }
           heat[i] = power.stress + q;
           share.viscous += q;
@@ -232,7 +232,7 @@ template <int D> double RowSweeps<D>::lonely_power(int i) const
   return 0.5 * sum;
 }
 
-// compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
+// compatible: for symmetric weights, heats_with_pairs();
 // shepard weights leak momentum, there the loss of kinetic energy of the
 // particle itself becomes heat (exact in total, not Galilean invariant);
 // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
@@ -241,7 +241,6 @@ template <int D> double RowSweeps<D>::lonely_power(int i) const
 template <int D> double RowSweeps<D>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
-  const bool shepard = opt.weights == Weights::SHEPARD;
   if (safe()) {
     double power = 0.0;
     for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++)
@@ -255,10 +254,8 @@ template <int D> double RowSweeps<D>::heat_correction(int i) const
     const Pack uj = load_few<D>(u(0), j, Kin::STRIDE);
     if (printed)
       power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, VECTOR);
-    else if (shepard)
-      power -= w * 0.5 * ui * difference;
     else
-      power -= w * 0.25 * (ui - uj) * difference;
+      power -= w * 0.5 * ui * difference;
   });
   return kin(i)[Kin::MASS] * SPHSolid::sum(power);
 }

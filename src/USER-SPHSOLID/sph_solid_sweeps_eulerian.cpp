@@ -67,7 +67,7 @@ template <int D> class EulerianSweeps : public RowSweeps<D> {
   template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
   template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
   void pack_constants(const Particles &, int i, double *row) const override;
-  template <bool PULL, bool TENSILE> typename Base::Power pair_power(int i) const;
+  template <bool PULL, bool TENSILE, bool CORRECT> typename Base::Power pair_power(int i) const;
 };
 
 /* ---------------------------------------------------------------------- */
@@ -94,18 +94,17 @@ void EulerianSweeps<D>::pack_constants(const Particles &p, int i, double *row) c
    gradient sweep
 ------------------------------------------------------------------------- */
 
-// neighbors inside the kernel: the nearest ones and the others
+// neighbors inside the kernel: the nearest ones, in their row, and the others
 
 template <int D> struct EulerianSweeps<D>::Scratch {
-  std::vector<int> near, far;
+  int *near = nullptr;
+  std::vector<int> far;
   int nnear = 0, nfar = 0;
 
-  void reserve(std::size_t n)
+  void begin(int *row, std::size_t n)
   {
-    if (near.size() < n) {
-      near.resize(n);
-      far.resize(n);
-    }
+    near = row;
+    if (far.size() < n) far.resize(n);
     nnear = nfar = 0;
   }
 };
@@ -115,7 +114,7 @@ template <int D> struct EulerianSweeps<D>::Scratch {
 template <int D> void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
 {
   const double *kall = krow.data(), *ri = kin(i);
-  int *near = s.near.data(), *far = s.far.data();
+  int *near = s.near, *far = s.far.data();
   for (int jj = 0; jj < n; jj++) {
     const int j = list[jj] & INDEX_MASK;
     const double *rj = kall + static_cast<std::ptrdiff_t>(j) * Kin::STRIDE;
@@ -139,15 +138,15 @@ template <int D> void EulerianSweeps<D>::gather(int i, int n, const int *list, S
 template <int D> void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
 {
   const int start = pairs.first[i];
-  s.reserve(pairs.first[i + 1] - start);
+  int *row = &pairs.j[start];
+  s.begin(row, pairs.first[i + 1] - start);
   gather(i, list.numneigh[i], list.firstneigh[i], s);
   if (images.any()) gather(i, image_first[i + 1] - image_first[i], &image_j[image_first[i]], s);
 
   const int n = s.nnear + s.nfar;
-  const auto row = pairs.j.begin() + start;
-  std::copy(s.near.begin(), s.near.begin() + s.nnear, row);
-  std::copy(s.far.begin(), s.far.begin() + s.nfar, row + s.nnear);
-  if (n > 0) std::fill(row + n, row + whole_vectors(n), row[n - 1]);    // without weight, below
+  for (int k = 0; k < s.nfar; k++) row[s.nnear + k] = s.far[k];
+  for (int k = n; n > 0 && k < whole_vectors(n); k++)
+    row[k] = row[n - 1];    // without weight, below
   pairs.count[i] = n;
   pairs.nearest[i] = needs_correction() ? s.nnear : 0;
 }
@@ -425,28 +424,33 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
 template <int D>
 void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
 {
-  with_flags(Base::heats_pairs(), opt.tensile, [&](auto pull, auto tensile) {
-    Base::sum_heat(list, heat, book, [this](int i) {
-      return pair_power<decltype(pull)::value, decltype(tensile)::value>(i);
-    });
-  });
+  with_flags(
+      [&](auto pull, auto tensile, auto correct) {
+        Base::sum_heat(list, heat, book, [this](int i) {
+          return pair_power<decltype(pull)::value, decltype(tensile)::value,
+                            decltype(correct)::value>(i);
+        });
+      },
+      Base::heats_pairs(), opt.tensile, Base::heats_with_pairs());
 }
 
 template <int D>
-template <bool PULL, bool TENSILE>
+template <bool PULL, bool TENSILE, bool CORRECT>
 typename RowSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
   constexpr int R_AT = extra(0);
   const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
   const int stride = stress_stride;
   const Motion<D> own(kin(i));
+  const Pack own_da = Motion<D>::load_vector(Addresses(CORRECT ? &da[i * VECTOR] : kin(i)));
   Several<D> gradient = Several<D>::zero(), crowded = gradient;
-  Pack viscous(0.0);
-  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
+  Pack viscous(0.0), corrected(0.0);
+  auto add = [&](int k, auto nearest) {
     const int *j = &pairs.j[k];
     const Spread factor(-load(&pairs.factor[k])),
         tensile(load(TENSILE ? &crowd[k] : &pairs.factor[k])),
-        pulled(load(PULL ? &pull[k] : &pairs.factor[k]));
+        pulled(load(PULL ? &pull[k] : &pairs.factor[k])),
+        weight(load(nearest() ? &near_weight[k] : &pairs.factor[k]));
     for (int m = 0; m < BLOCK; m++) {
       const Motion<D> d = own - Motion<D>(Addresses(kall, j + m, Kin::STRIDE));
       const Pack K_j = load_all(Addresses(sall, j + m, stride) + Str::K);
@@ -454,11 +458,21 @@ typename RowSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
       add_outer(gradient, d.expanded_v(), g);
       if (TENSILE) add_outer(crowded, d.expanded_v(), g * tensile[m]);
       if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
+      if (nearest()) {
+        const Pack da_j = Motion<D>::load_vector(Addresses(da.data(), j + m, VECTOR));
+        corrected = multiply_add(weight[m], d.products(own_da - da_j), corrected);
+      }
     }
-  }
+  };
+  int k = pairs.first[i];
+  const int end = k + pairs.count[i], end_nearest = k + (CORRECT ? pairs.nearest[i] : 0);
+  for (; k < end_nearest; k += LANES) add(k, std::bool_constant<CORRECT>());
+  for (; k < end; k += LANES) add(k, std::false_type());
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
-  return {si[Str::K] * stress, 0.5 * kin(i)[Kin::MASS] * Motion<D>::v_dot_x(viscous)};
+  const double mass = kin(i)[Kin::MASS];
+  return {si[Str::K] * stress, 0.5 * mass * Motion<D>::v_dot_x(viscous),
+          -0.25 * mass * Motion<D>::v_dot_x(corrected)};
 }
 
 template <int D>
