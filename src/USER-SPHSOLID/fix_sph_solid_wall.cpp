@@ -139,13 +139,15 @@ void FixSPHSolidWall::constrain(Phase phase)
   reaction = reaction_v = reaction_a = 0.0;
 
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || !pair->has_material(i)) continue;
+    if (!(atom->mask[i] & groupbit)) continue;
     const double mass = atom->rmass[i];
     const double y = normal * (x[i][dim] - plane);
-    const double vn = normal * vhalf[i][dim], an = normal * f[i][dim] / mass;
-    const bool held = symmetry && std::fabs(y) < ON_PLANE * pair->smoothing_length(i);
-    if (!held && y + dt * (vn + share * dt * an) >= 0.0) continue;
+    const double vn = normal * vhalf[i][dim], fn = normal * f[i][dim];
+    const bool away = mass * (y + dt * vn) + share * dt * dt * fn >= 0.0;
+    if ((away && !symmetry) || !pair->has_material(i)) continue;
+    if (away && std::fabs(y) >= ON_PLANE * pair->smoothing_length(i)) continue;
 
+    const double an = fn / mass;
     const double landing = (-y / dt - vn) / (share * dt);
     const double R = mass * (landing - an);
     f[i][dim] = normal * mass * landing;
