@@ -48,7 +48,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
       PointSweeps<D>(o, t), unit_factor(std::pow(largest_h(t), -(D + 2))),
       at_rate(at_C + (viscous() ? D * D : 0)), at_da(at_rate + (keeps_rates() ? D * D : 0)),
-      at_early(at_da + (needs_correction() ? D : 0)), at_along(safe() ? X : at_da)
+      at_along(safe() ? X : at_da)
   {
   }
 
@@ -84,10 +84,10 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   // components of a column: positions, velocities (for heat: displacements), positions in the
   // reference, V0/h0^(D+2); what the constitutive update fills and ghosts are sent: sigma C,
   // impedance rho c_L h, density, bulk sound speed, n of the correction or the switch of a
-  // viscosity; then, if a scene needs them, C and F'; viscous acceleration, velocities it belongs to
+  // viscosity; then, if a scene needs them, C, F' and the viscous acceleration
   static constexpr int X = 0, V = D, REFERENCE = 2 * D, WEIGHT = 3 * D, T = WEIGHT + 1,
                        IMPEDANCE = T + D * D, RHO = IMPEDANCE + 1, SOUND = RHO + 1,
-                       LAST = SOUND + 1, FIXED = LAST + 1, MOST = FIXED + 2 * D * D + 2 * D;
+                       LAST = SOUND + 1, FIXED = LAST + 1, MOST = FIXED + 2 * D * D + D;
   static constexpr int NEXT = Columns::NEXT;
   bool viscous() const { return opt.viscosity != Viscosity::NONE; }
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
@@ -101,9 +101,9 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     return h;
   }
   static constexpr int at_C = FIXED;
-  const int at_rate, at_da, at_early;
+  const int at_rate, at_da;
   const int at_along;    // what the correction's force on a pair is along
-  int components() const { return at_early + (needs_correction() && this->keeps_heat ? D : 0); }
+  int components() const { return at_da + (needs_correction() ? D : 0); }
 
   Columns columns;
   bool with_rows = false;        // for bodies that are no lattice
@@ -258,14 +258,13 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     Tensors displacement, velocity;    // sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
     PairWork work;
   };
-  // NONE; what is due: with the velocities of the last evaluation and these; of displacements
+  // NONE; what is due: of the last forces with these velocities; of displacements
   enum class Work { NONE, DUE, WHOLE };
   template <Work WORK> Sums accumulate(int block) const;
   template <Work WORK>
   void add_work(int slot, const double *near, const double *i, const double *j,
                 const Components<D> &, PairWork &) const;
-  template <Work WORK>
-  Pack corrected_power(const double *i, const double *j, const Components<D> &) const;
+  template <Work WORK> Pack corrected_power(const double *i, const double *j, const Pack *v) const;
   // of a pair of nearest partners: what its force is along, and what it is times m_i/2
   Pack corrected_along(const double *i, const double *j, int a) const
   {
@@ -286,14 +285,14 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     Pack sum() const { return stress + viscous + corrected + hourglass; }
   };
   Power power(int block, Pack mass, Pack V0, const Sums &) const;
-  void enter_block(int block, Pack mass, int n, const Power &, bool early, Totals &) const;
+  void enter_block(int block, Pack mass, int n, const Power &, Totals &) const;
   void enter_due(const Totals &late);
   Tensors block_virial(const Particles &, int block, const Batch &) const;
   void prefetch_points(const Particles &, int block, const Batch &) const;
   static void repeat_last(Sums &, int n);
   template <bool LATE> int update(const Particles &, int block, const Batch &, double dt, Totals &);
   void add_late_heat(const Particles &, int block, const Batch &, const Sums &, Totals &) const;
-  Pack standard_power(const double *i, Pack mass, bool early) const;
+  Pack standard_power(const double *i, Pack mass) const;
 
   template <PairForm FORM, bool HOURGLASS> void force_blocks(const Particles &);
   template <PairForm FORM, bool HOURGLASS>
@@ -307,6 +306,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
     return all ? pull : whole_pull(i, j, pull);
   }
+  void correct_block(const Particles &, int block, const Batch &, Totals &);
   void near_weights(int block);
   void safe_pulls(int block);
 

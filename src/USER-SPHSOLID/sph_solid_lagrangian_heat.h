@@ -31,7 +31,7 @@ inline void LagrangianSweeps<D>::add_work(int s, const double *near, const doubl
   if (keeps_pairs())
     work.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), weighted, work.viscous);
   if (near)
-    work.corrected = multiply_add(load(near), corrected_power<WORK>(i, j, d), work.corrected);
+    work.corrected = multiply_add(load(near), corrected_power<WORK>(i, j, d.v), work.corrected);
 }
 
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
@@ -39,23 +39,23 @@ inline void LagrangianSweeps<D>::add_work(int s, const double *near, const doubl
 // particle itself becomes heat (exact in total, not Galilean invariant);
 // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
 // safe: half the work of each central pair force, none of it negative for u = v.
-// This is -4/m_i of the sum, without w_ij
+// This is -4/m_i of the sum, without w_ij; v: u_i - u_j
 
 template <int D>
 template <typename LagrangianSweeps<D>::Work WORK>
 inline Pack LagrangianSweeps<D>::corrected_power(const double *i, const double *j,
-                                                 const Components<D> &d) const
+                                                 const Pack *v) const
 {
   const bool conservative = opt.weights == Weights::CONSERVATIVE;
   Pack sum = 0.0;
   for (int a = 0; a < D; a++) {
-    Pack moved = d.v[a], acceleration = corrected_along(i, j, a);
-    if (WORK == Work::DUE)
-      moved += component(i, at_early + a) - component(j, at_early + a);
-    else if (!safe() && opt.heating == Heating::PRINTED)
-      acceleration = -2.0 * component(j, at_da + a);
-    else if (!safe() && !conservative)
-      moved = 2.0 * component(i, V + a);
+    Pack moved = v[a], acceleration = corrected_along(i, j, a);
+    if (WORK == Work::WHOLE && !safe()) {    // else they are compatible and conservative
+      if (opt.heating == Heating::PRINTED)
+        acceleration = -2.0 * component(j, at_da + a);
+      else if (!conservative)
+        moved = 2.0 * component(i, V + a);
+    }
     sum = multiply_add(moved, acceleration, sum);
   }
   return sum;
@@ -63,16 +63,11 @@ inline Pack LagrangianSweeps<D>::corrected_power(const double *i, const double *
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D>
-Pack LagrangianSweeps<D>::standard_power(const double *i, Pack mass, bool early) const
+template <int D> Pack LagrangianSweeps<D>::standard_power(const double *i, Pack mass) const
 {
   Pack power = 0.0;
   if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
-  for (int a = 0; a < D; a++) {
-    Pack moved = component(i, V + a);
-    if (early) moved += component(i, at_early + a);
-    power -= mass * component(i, at_da + a) * moved;
-  }
+  for (int a = 0; a < D; a++) { power -= mass * component(i, at_da + a) * component(i, V + a); }
   return power;
 }
 
@@ -116,20 +111,18 @@ typename LagrangianSweeps<D>::Power LagrangianSweeps<D>::power(int block, Pack m
           -0.25 * mass * sums.work.corrected, -0.5 * V0 * sums.work.hourglass};
 }
 
-// early: is it of the velocities of the last evaluation and these?
-
 template <int D>
-void LagrangianSweeps<D>::enter_block(int block, Pack mass, int n, const Power &power, bool early,
+void LagrangianSweeps<D>::enter_block(int block, Pack mass, int n, const Power &power,
                                       Totals &totals) const
 {
-  const Pack standard = standard_power(columns.at(block * LANES), mass, early);
+  const Pack standard = standard_power(columns.at(block * LANES), mass);
   totals.viscous += Base::sum_of_first(power.viscous + power.corrected, n);
   totals.standard += Base::sum_of_first(power.viscous + standard, n);
   totals.hourglass += Base::sum_of_first(power.hourglass, n);
 }
 
 // what the last evaluation's forces do to the particles of a block,
-// with the velocities of that evaluation plus these
+// with the velocities of that evaluation, known since, plus these
 
 template <int D>
 void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Batch &batch,
@@ -137,7 +130,7 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Bat
 {
   const Pack mass = batch.load(p.mass);
   const Power late = power(block, mass, batch.load(p.vref), sums);
-  enter_block(block, mass, batch.n, late, true, totals);
+  enter_block(block, mass, batch.n, late, totals);
   const Pack heat = load(&early[block * LANES]) + late.sum();
   batch.store(p.e, batch.load(p.e) + this->due.factor * heat / mass);
 }
@@ -154,7 +147,7 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
     const Sums sums = accumulate<Work::WHOLE>(block);
     const Pack mass = batch.load(p.mass);
     const Power of_block = power(block, mass, batch.load(p.vref), sums);
-    enter_block(block, mass, batch.n, of_block, false, t);
+    enter_block(block, mass, batch.n, of_block, t);
     const Pack all = of_block.sum();
     for (int m = 0; m < batch.n; m++) heat[batch.i[m]] = all[m];
   });

@@ -8,8 +8,7 @@
 #define LMP_SPH_SOLID_LAGRANGIAN_PARTNERS_H
 
 #include "sph_solid_lagrangian.h"
-
-#include <Eigen/Eigenvalues>
+#include "sph_solid_stretch.h"
 
 #include <numeric>
 
@@ -424,26 +423,6 @@ template <int D> int LagrangianSweeps<D>::neighbor_count(int i) const
    particles come closer with the least principal stretch, and so must the
    time step
 ------------------------------------------------------------------------- */
-
-template <int D> double least_stretch(const Tensor<D> &F)
-{
-  Eigen::SelfAdjointEigenSolver<Tensor<D>> eigen;
-  eigen.computeDirect(F.transpose() * F, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
-}
-
-// a number that the least stretch is not below, and in two dimensions equal to but for rounding: of D
-// eigenvalues, the square of the distance of each from their mean is at most (D-1)/D of the sum of all
-
-template <int D> Pack stretch_bound(const Tensor<D, Pack> &F)
-{
-  constexpr double ROUNDING = 1.0e-9;
-  Tensor<D, Pack> C = F.transpose() * F;
-  const Pack mean = C.trace() / double(D);
-  for (int a = 0; a < D; a++) C(a, a) -= mean;
-  const Pack least = mean - square_root(C.cwiseProduct(C).sum() * ((D - 1.0) / D));
-  return square_root(maximum(least - ROUNDING * mean, Pack(0.0)));
-}
 
 template <int D>
 typename LagrangianSweeps<D>::Tensors

@@ -47,30 +47,44 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
 template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const NeighborRows &)
 {
   mirror_vectors(at_da);
-  if (this->keeps_heat)    // own particles have it from the force sweep
-    for (int column = end_of_own; column < end_of_columns; column += LANES) {
-      for (int a = 0; a < D; a++)
-        columns.store(column, at_early + a, component(columns.at(column), V + a));
-      columns.copy_to_rows(column, at_early, columns.components());
-    }
-  each_block([&](int block, const Batch &batch, Totals &) {
+  const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     if (!weights_known) near_weights(block);
     if (safe()) safe_pulls(block);
-    const double *i = columns.at(block * LANES);
-    Pack f[D];
-    for (int a = 0; a < D; a++) f[a] = 0.0;
-    Scratch scratch;
-    const double *near = near_factors(block);
-    const int first = slots.first[block], end = first + slots.nearest(block);
-    for (int s = first; s < end; s++, near += LANES) {
-      const double *j = neighbors(s, block, T, scratch);
-      const Pack w = load(near);
-      for (int a = 0; a < D; a++) f[a] = multiply_add(w, corrected_along(i, j, a), f[a]);
-    }
-    for (int a = 0; a < D; a++) f[a] *= 0.5 * batch.load(p.mass);
-    add_forces(p, batch, f);
+    correct_block(p, block, batch, t);
   });
+  Totals::add(early_totals, totals);
   weights_known = true;
+}
+
+// forces and, with heat on the way, their work on the velocities they come from
+
+template <int D>
+void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Batch &batch,
+                                        Totals &totals)
+{
+  const double *i = columns.at(block * LANES), *near = near_factors(block);
+  const int first = slots.first[block], end = first + slots.nearest(block);
+  const bool heats = this->keeps_heat;
+  const Pack mass = batch.load(p.mass);
+  Pack f[D], power = 0.0;
+  for (int a = 0; a < D; a++) f[a] = 0.0;
+  Scratch scratch;
+  for (int s = first; s < end; s++, near += LANES) {
+    const double *j = neighbors(s, block, T, scratch);
+    const Pack w = load(near);
+    for (int a = 0; a < D; a++) f[a] = multiply_add(w, corrected_along(i, j, a), f[a]);
+    if (!heats) continue;
+    Pack v[D];
+    difference(i, j, V, v);
+    power = multiply_add(w, corrected_power<Work::DUE>(i, j, v), power);
+  }
+  for (int a = 0; a < D; a++) f[a] *= 0.5 * mass;
+  add_forces(p, batch, f);
+  if (!heats) return;
+  const Pack heat = -0.25 * mass * power;
+  store(&early[block * LANES], load(&early[block * LANES]) + heat);
+  totals.viscous += Base::sum_of_first(heat, batch.n);
+  totals.standard += Base::sum_of_first(standard_power(i, mass), batch.n);
 }
 
 // m_j Wbar of the nearest partners becomes a weight: constant until the partners have new indices

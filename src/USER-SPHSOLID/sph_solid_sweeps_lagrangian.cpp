@@ -272,10 +272,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   }
   if (VISCOUS && correct) {
     const Pack per_mass = V0 / batch.load(p.mass);
-    for (int a = 0; a < D; a++) {
-      columns.store(block * LANES, at_da + a, per_mass * replaced[a]);
-      if (this->keeps_heat) columns.store(block * LANES, at_early + a, component(i, V + a));
-    }
+    for (int a = 0; a < D; a++) columns.store(block * LANES, at_da + a, per_mass * replaced[a]);
   }
   columns.copy_to_rows(block * LANES, at_da, columns.components());
   add_forces(p, batch, stress);

@@ -43,13 +43,15 @@ Result join_shares(int nthreads, int n, Result total, Call call, Join join)
 #if defined(_OPENMP)
   if (nthreads > 1) {
     std::vector<Result> of(nthreads, total);
+    int joined = 0;    // there may be fewer threads than asked for
 #pragma omp parallel num_threads(nthreads)
     {
       const std::int64_t share = omp_get_thread_num(), shares = omp_get_num_threads();
+      if (share == 0) joined = static_cast<int>(shares);
       of[share] =
           call(static_cast<int>(share * n / shares), static_cast<int>((share + 1) * n / shares));
     }
-    for (const Result &result : of) join(total, result);
+    for (int k = 0; k < joined; k++) join(total, of[k]);
     return total;
   }
 #endif

@@ -53,3 +53,29 @@ TEST(TimeStep, ShrinksWithTheLeastStretch)
                     1.3 * std::min(1.0, stretch) / C_L, 1e-12);
       }
 }
+
+// a body of which half is squeezed: that half decides, also where the other one comes first
+
+TEST(TimeStep, TheLeastOfAllWhereverItIs)
+{
+  for (int dim : {2, 3})
+    for (double side : {-1.0, 1.0}) {
+      Cloud c(dim);
+      c.opt.frame = Frame::LAGRANGIAN;
+      c.opt.viscosity = Viscosity::NONE;
+      if (dim == 2)
+        c.add_lattice(6, 24);
+      else
+        c.add_lattice(5, 5, 16);
+      c.refer();
+      const int axis = dim - 1;
+      double middle = 0.0;
+      for (int i = 0; i < c.size(); i++) middle += c.xref[i][axis] / c.size();
+      for (int i = 0; i < c.size(); i++) {
+        const double beyond = side * (c.x[i][axis] - middle);
+        if (beyond > 0.0) c.x[i][axis] = middle + side * 0.4 * beyond;
+      }
+      c.evaluate();
+      EXPECT_NEAR(c.sweeps->time_step_limit(c.particles(), c.neighbors()), 1.3 * 0.4 / C_L, 1e-12);
+    }
+}

@@ -1,0 +1,42 @@
+/* ----------------------------------------------------------------------
+   The least principal stretch of a deformation gradient F: the root of the least eigenvalue
+   of F^T F.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_STRETCH_H
+#define LMP_SPH_SOLID_STRETCH_H
+
+#include "sph_solid_tensor.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace SPHSolid {
+
+template <int D> double least_stretch(const Tensor<D> &F)
+{
+  Eigen::SelfAdjointEigenSolver<Tensor<D>> eigen;
+  eigen.computeDirect(F.transpose() * F, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
+}
+
+// A lower bound for as many particles as there are lanes, in two dimensions the stretch itself but
+// for rounding: the square of one eigenvalue's distance from the mean of all D is at most
+// (D-1)/D of the sum of these squares.  A few operations instead of an eigenvalue problem, for
+// those who want to know who can be beyond a limit at all
+
+template <int D> Pack stretch_bound(const Tensor<D, Pack> &F)
+{
+  constexpr double ROUNDING = 1.0e-9;
+  Tensor<D, Pack> C = F.transpose() * F;
+  const Pack mean = C.trace() / double(D);
+  for (int a = 0; a < D; a++) C(a, a) -= mean;
+  const Pack least = mean - square_root(C.cwiseProduct(C).sum() * ((D - 1.0) / D));
+  return square_root(maximum(least - ROUNDING * mean, Pack(0.0)));
+}
+
+}    // namespace SPHSolid
+
+#endif
