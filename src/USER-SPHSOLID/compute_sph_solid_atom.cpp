@@ -14,7 +14,6 @@
 #include "compute_sph_solid_atom.h"
 
 #include "atom.h"
-#include "atom_vec_sph_solid.h"
 #include "error.h"
 #include "fix_sph_solid.h"
 #include "memory.h"
@@ -125,7 +124,7 @@ double ComputeSPHSolidAtom::value(int quantity, int i, const double *stress) con
     case C:
       return pair->sound_speed(i);
     case EPL:
-      return AtomVecSPHSolid::arrays(atom)->epl[i];
+      return pair->plastic_strain(i);
     case VONMISES:
       return pair->von_mises(i);
     case H:

@@ -365,7 +365,7 @@ void PairSPHSolid::forward(Message what)
 int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int, int *)
 {
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
-  double **vhalf = message_of_sweeps ? nullptr : own->vhalf;
+  double **vhalf = own->vhalf;
   for (int k = 0; k < n; k++)
     if (message_of_sweeps)
       sweeps->pack(message, atoms[k], &buf[k * size]);
@@ -378,7 +378,7 @@ void PairSPHSolid::unpack_forward_comm(int n, int first, double *buf)
 {
   const Particles p = particles();
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
-  double **vhalf = message_of_sweeps ? nullptr : own->vhalf;
+  double **vhalf = own->vhalf;
   for (int k = 0; k < n; k++)
     if (message_of_sweeps)
       sweeps->unpack(message, p, first + k, &buf[k * size]);
@@ -483,6 +483,11 @@ void PairSPHSolid::cauchy_stress(int i, double *six) const
   const double P = pressure(i);
   const double *deviator = own->stress[i];
   for (int k = 0; k < 6; k++) six[k] = deviator[k] - (k < 3 ? P : 0.0);
+}
+
+double PairSPHSolid::plastic_strain(int i) const
+{
+  return own->epl[i];
 }
 
 double PairSPHSolid::von_mises(int i) const

@@ -86,6 +86,7 @@ class PairSPHSolid : public Pair {
   double usual_courant_number() const;
   void cauchy_stress(int, double *) const;
   double pressure(int) const;
+  double plastic_strain(int) const;
   double von_mises(int) const;
   double elastic_energy(int) const;
   double sound_speed(int) const;

@@ -144,18 +144,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     return std::min(LANES, static_cast<int>(own.size()) - block * LANES);
   }
   template <class Call> Totals each_block(Call call);
-  Pack smoothing_lengths(const Particles &p, const Batch &batch) const
-  {
-    return Base::of_types(p, batch, [this](int t) {
-      return types[t].h;
-    });
-  }
-  Pack shear_moduli(const Particles &p, const Batch &batch) const
-  {
-    return Base::of_types(p, batch, [this](int t) {
-      return types[t].material.shear;
-    });
-  }
   // room for the components of gathered neighbors, as far apart as in columns
   struct Scratch {
     alignas(64) double of[(MOST + BLOCK) * NEXT];
@@ -219,7 +207,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
       for (int b = 0; b < D; b++) store(&of[((block * D + a) * D + b) * LANES], t(a, b));
   }
   static void add_forces(const Particles &, const Batch &, const Pack *f);
-  static Tensor<D> of_lane(const Tensors &, int lane);
   void mirror_vectors(int component);
   int place_of(Message) const;
   // x.TX, T of one particle or the sum of two
@@ -311,7 +298,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void safe_pulls(int block);
 
   Tensors deformation_gradients(const Particles &, int block, const Batch &) const;
-  bool is_fine(const Particles &, int block, const Batch &) const;
+  Pack room_left(const Tensors &Fi, int block) const;
+  Overload overload(const Particles &, int block) const;
   Overload overload(const Tensor<D> &Fi, int block, int lane) const;
 };
 

@@ -78,8 +78,7 @@ template <int D> Pack LagrangianSweeps<D>::standard_power(const double *i, Pack 
 template <int D> bool LagrangianSweeps<D>::can_keep_heat() const
 {
   if (!opt.energy) return false;
-  return !needs_correction() ||
-      (opt.weights == Weights::CONSERVATIVE && opt.heating == Heating::COMPATIBLE);
+  return !needs_correction() || Base::heats_evenly();
 }
 
 template <int D> void LagrangianSweeps<D>::add_due_heat(const Particles &p, const NeighborRows &)

@@ -434,13 +434,6 @@ LagrangianSweeps<D>::deformation_gradients(const Particles &p, int block, const 
   return J * tensor(i, at_C).inverse().transpose() * load_tensors(B, block);
 }
 
-template <int D> Tensor<D> LagrangianSweeps<D>::of_lane(const Tensors &t, int lane)
-{
-  return t.unaryExpr([lane](const Pack &all) {
-    return all[lane];
-  });
-}
-
 // eigenvalues only where the bound could be the least of all
 
 template <int D>
@@ -458,11 +451,11 @@ double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRo
       const double *i = columns.at(block * LANES);
       const Tensors Fi = deformation_gradients(p, block, batch);
       const Pack unstretched =
-          Base::step_limit(smoothing_lengths(p, batch), shear_moduli(p, batch), component(i, RHO),
-                           component(i, SOUND), load(&mu_max[block * LANES]));
+          Base::step_limit(Base::smoothing_lengths(p, batch), Base::shear_moduli(p, batch),
+                           component(i, RHO), component(i, SOUND), load(&mu_max[block * LANES]));
       if (!(least(unstretched * stretched(stretch_bound<D>(Fi))) < limit)) continue;
       for (int m = 0; m < batch.n; m++)
-        limit = std::min(limit, unstretched[m] * stretched(least_stretch<D>(of_lane(Fi, m))));
+        limit = std::min(limit, unstretched[m] * stretched(least_stretch<D>(of_lane<D>(Fi, m))));
     }
     return limit;
   });
@@ -475,30 +468,33 @@ double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRo
 
 template <int D> Overload LagrangianSweeps<D>::find_overload(const Particles &p) const
 {
-  const NeighborRows list = own_list();
   const int n = blocks();
   const int block = Base::least_of(n, n, [&](int first, int end) {
-    while (first < end && is_fine(p, first, Batch(list, first * LANES))) first++;
+    while (first < end && overload(p, first).kind == Overload::NONE) first++;
     return first < end ? first : n;
   });
-  if (block == n) return {};
-  const Batch batch(list, block * LANES);
+  return block < n ? overload(p, block) : Overload();
+}
+
+// of the first particle of a block that is beyond it
+
+template <int D> Overload LagrangianSweeps<D>::overload(const Particles &p, int block) const
+{
+  const Batch batch(own_list(), block * LANES);
   const Tensors Fi = deformation_gradients(p, block, batch);
+  if (least(room_left(Fi, block)) > 0.0) return {};
   for (int m = 0; m < batch.n; m++) {
-    const Overload found = overload(of_lane(Fi, m), block, m);
+    const Overload found = overload(of_lane<D>(Fi, m), block, m);
     if (found.kind != Overload::NONE) return found;
   }
   return {};
 }
 
-// is none of a block's particles beyond the end?
+// positive for particles that are surely not beyond it
 
-template <int D>
-bool LagrangianSweeps<D>::is_fine(const Particles &p, int block, const Batch &batch) const
+template <int D> Pack LagrangianSweeps<D>::room_left(const Tensors &Fi, int block) const
 {
-  const Tensors Fi = deformation_gradients(p, block, batch);
-  const Pack beyond = stretch_bound<D>(Fi) - LEAST_STRETCH;
-  Pack fine = minimum(beyond, Fi.determinant());
+  Pack room = minimum(stretch_bound<D>(Fi) - LEAST_STRETCH, Fi.determinant());
   const double *i = columns.at(block * LANES);
   Scratch scratch;
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
@@ -508,12 +504,9 @@ bool LagrangianSweeps<D>::is_fine(const Particles &p, int block, const Batch &ba
     difference(i, j, REFERENCE, reference);
     for (int a = 0; a < D; a++)
       apart += x[a] * x[a] - LEAST_STRETCH * LEAST_STRETCH * reference[a] * reference[a];
-    fine = minimum(fine, where_positive(-factor(slot, j), apart, Pack(1.0)));
+    room = minimum(room, where_positive(-factor(slot, j), apart, Pack(1.0)));
   }
-  if (least(fine) > 0.0) return true;
-  for (int m = 0; m < batch.n; m++)
-    if (overload(of_lane(Fi, m), block, m).kind != Overload::NONE) return false;
-  return true;
+  return room;
 }
 
 template <int D>

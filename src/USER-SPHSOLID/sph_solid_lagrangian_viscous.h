@@ -17,9 +17,7 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     const double *i = columns.at(block * LANES);
-    const Pack h = Base::of_types(p, batch, [&](int t) {
-      return types[t].h;
-    });
+    const Pack h = Base::smoothing_lengths(p, batch);
     const Pack least = MU_EPSILON * h * h;    // particles may meet
     Pack rest2 = 0.0, linear2 = 0.0;
     Scratch scratch;

@@ -86,6 +86,11 @@ template <int D> class PointSweeps : public Sweeps {
   }
   void find_image_candidates(const Particles &, const NeighborRows &, double **x, double reach);
   bool lonely = false;    // a particle here has no nearest neighbor: its viscosity stays whole
+  // is the heat of a corrected pair the same from both sides, -1/4 sum w_ij (u_i - u_j).(da_i - da_j)?
+  bool heats_evenly() const
+  {
+    return opt.heating == Heating::COMPATIBLE && opt.weights == Weights::CONSERVATIVE;
+  }
   bool safe() const { return needs_correction() && opt.weights == Weights::SAFE; }
   // m_j Wbar_ij; near: supports of Wbar of both, whose mean is that of the pair
   template <class Real> static Real wbar_mass(Real r, Real mass, Real near_i, Real near_j)
@@ -97,6 +102,11 @@ template <int D> class PointSweeps : public Sweeps {
   {
     if (opt.viscosity == Viscosity::NONE) return false;
     return !needs_correction() || opt.heating == Heating::PRINTED || lonely;
+  }
+  // of an elastic wave, c that of the bulk
+  template <class Real> static Real longitudinal_speed(Real c, Real shear, Real rho)
+  {
+    return square_root(c * c + 4.0 * shear / (3.0 * rho));
   }
   template <class Real> Real step_limit(Real h, Real shear, Real rho, Real c, Real mu_max) const;
 
@@ -143,6 +153,18 @@ template <int D> class PointSweeps : public Sweeps {
     if (same) return Pack(value(t[0]));
     return pack_of([&](int m) {
       return value(t[m]);
+    });
+  }
+  Pack smoothing_lengths(const Particles &p, const Batch &batch) const
+  {
+    return of_types(p, batch, [this](int t) {
+      return types[t].h;
+    });
+  }
+  Pack shear_moduli(const Particles &p, const Batch &batch) const
+  {
+    return of_types(p, batch, [this](int t) {
+      return types[t].material.shear;
     });
   }
   struct Points {
@@ -350,7 +372,7 @@ Real PointSweeps<D>::step_limit(Real h, Real shear, Real rho, Real c, Real mu_ma
   const double retained = opt.viscosity == Viscosity::NONE ? 0.0
       : needs_correction()                                 ? CORRECTION_RETAINS
                                                            : 1.0;
-  const Real c_l = square_root(c * c + 4.0 * shear / (3.0 * rho));
+  const Real c_l = longitudinal_speed(c, shear, rho);
   return h / (c_l + 0.6 * retained * (opt.a1 * c + opt.a2 * mu_max));
 }
 

@@ -132,12 +132,8 @@ template <int D> class RowSweeps : public PointSweeps<D> {
   };
   template <class OfRow> void sum_heat(const NeighborRows &, double *, bool book, OfRow of_row);
   double heat_correction(int i) const;
-  // the usual one: -1/4 sum w_ij (u_i - u_j).(da_i - da_j), along with the work of other forces
-  bool heats_with_pairs() const
-  {
-    return needs_correction() && opt.heating == Heating::COMPATIBLE &&
-        opt.weights == Weights::CONSERVATIVE;
-  }
+  // is it found along with the work of other forces?
+  bool heats_with_pairs() const { return needs_correction() && Base::heats_evenly(); }
   double standard_power(int i, const double *u) const;
 
   Pack central_correction(int i);

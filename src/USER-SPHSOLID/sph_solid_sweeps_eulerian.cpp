@@ -60,8 +60,7 @@ template <int D> class EulerianSweeps : public RowSweeps<D> {
   void gather(int i, int n, const int *list, Scratch &) const;
   void find_pairs(int i, const NeighborRows &, Scratch &);
   void accumulate(int i, Sums &, int lane);
-  int update(const Particles &, const typename Base::Batch &, int n, Sums &, double dt,
-             double &plastic);
+  int update(const Particles &, const typename Base::Batch &, Sums &, double dt, double &plastic);
   Tensor<D, Pack> tension_stress(const Tensor<D, Pack> &) const;
   int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
   template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
@@ -209,7 +208,7 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
         if (m < batch.n) find_pairs(batch.i[m], list, s);
         accumulate(batch.i[m], sums, m);
       }
-      const int unphysical = update(p, batch, batch.n, sums, dt, plastic);
+      const int unphysical = update(p, batch, sums, dt, plastic);
       if (unphysical >= 0) bad = unphysical;
     }
     return plastic;
@@ -222,12 +221,12 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
   return bad;
 }
 
-// constitutive update of a batch, of whom n count in the plastic work, and what their neighbors
+// constitutive update of a batch and what their neighbors
 // read; the index of one whose state is not physical, or -1
 
 template <int D>
-int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, int n,
-                              Sums &sums, double dt, double &plastic)
+int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, Sums &sums,
+                              double dt, double &plastic)
 {
   using Tensors = Tensor<D, Pack>;
   const PairForm form = pair_form(opt.viscosity);
@@ -247,7 +246,7 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &ba
   Tensors L = Tensors::Zero();
   if (dt > 0.0) L = midpoint_velocity_gradient<D, Pack>(opt.corrected ? rate : velocity, dt);
   const auto points = Base::update_points(p, batch, L, dt);
-  plastic += Base::sum_of_first(points.plastic_work, n);
+  plastic += Base::sum_of_first(points.plastic_work, batch.n);
 
   const Pack rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
   const Pack mass = batch.load(p.mass);
@@ -257,9 +256,7 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &ba
   Pack last = load(sums.nsum);
   if (needs_switch(form))
     last = Base::own_switch(rate, square_root(maximum(points.eos.c2, Pack(0.0))),
-                            Base::of_types(p, batch, [&](int t) {
-                              return types[t].h;
-                            }));
+                            Base::smoothing_lengths(p, batch));
   Base::write_rows(batch, points, weighted(points.sigma), opt.corrected ? mass / rho : mass, last);
   if (needs_rates(form)) Base::write_tensors(batch, at_rate(), rate);
   if (opt.tensile) Base::write_tensors(batch, extra(0), weighted(tension_stress(points.sigma)));
@@ -272,12 +269,8 @@ template <int D>
 Tensor<D, Pack> EulerianSweeps<D>::tension_stress(const Tensor<D, Pack> &sigma) const
 {
   Tensor<D> R[LANES];
-  for (int m = 0; m < LANES; m++) {
-    const Tensor<D> one = sigma.unaryExpr([m](const Pack &lane) {
-      return lane[m];
-    });
-    R[m] = artificial_stress<D>(one, opt.tensile_eps);
-  }
+  for (int m = 0; m < LANES; m++)
+    R[m] = artificial_stress<D>(of_lane<D>(sigma, m), opt.tensile_eps);
   Tensor<D, Pack> out;
   for (int a = 0; a < D; a++)
     for (int b = 0; b < D; b++)

@@ -127,13 +127,13 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
     store(&early[block * LANES], V0 * sums.velocity.cwiseProduct(sigma_C).sum());
 
   const int column = block * LANES;
-  const Pack h = smoothing_lengths(p, batch);
+  const Pack h = Base::smoothing_lengths(p, batch);
   store_tensor(column, T, sigma_C);
   columns.store(column, RHO, rho);
   columns.store(column, SOUND, c);
   if (keeps_rates()) {
-    const Pack longitudinal2 = c * c + 4.0 * shear_moduli(p, batch) / (3.0 * rho);
-    columns.store(column, IMPEDANCE, rho * h * square_root(longitudinal2));
+    const Pack c_l = Base::longitudinal_speed(c, Base::shear_moduli(p, batch), rho);
+    columns.store(column, IMPEDANCE, rho * h * c_l);
     store_tensor(column, at_rate, rate);
   }
   if (viscous()) store_tensor(column, at_C, C);
@@ -178,9 +178,7 @@ void LagrangianSweeps<D>::force_blocks(const Particles &p)
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     force_block<FORM, HOURGLASS>(p, block, batch, t);
   });
-  early_totals.viscous += totals.viscous;
-  early_totals.standard += totals.viscous;
-  early_totals.hourglass += totals.hourglass;
+  Totals::add(early_totals, totals);
 }
 
 // f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass.
@@ -280,7 +278,9 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   if (!this->keeps_heat) return;
   const Pack viscous_heat = 0.5 * V0 * viscous_power, hourglass_heat = -0.5 * V0 * hourglass_power;
   store(&early[block * LANES], load(&early[block * LANES]) + viscous_heat + hourglass_heat);
-  totals.viscous += Base::sum_of_first(viscous_heat, batch.n);
+  const double viscous = Base::sum_of_first(viscous_heat, batch.n);
+  totals.viscous += viscous;
+  totals.standard += viscous;
   totals.hourglass += Base::sum_of_first(hourglass_heat, batch.n);
 }
 

@@ -41,6 +41,15 @@ namespace SPHSolid {
 template <int D, class Real = double> using Tensor = Eigen::Matrix<Real, D, D>;
 template <int D> using Vector = Eigen::Matrix<double, D, 1>;
 
+// the tensor of one lane
+
+template <int D> inline Tensor<D> of_lane(const Tensor<D, Pack> &t, int lane)
+{
+  return t.unaryExpr([lane](const Pack &all) {
+    return all[lane];
+  });
+}
+
 // index of component (a,b) in the six stored numbers
 
 static constexpr int VOIGT[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};

@@ -18,21 +18,35 @@
 
 namespace SPHSolid {
 
-// call(first, end) for the shares of [0, n)
+// call(share, first, end) for the shares of [0, n), of which there may be fewer than threads asked
+// for; returns how many
 
-template <class Call> void each_share(int nthreads, int n, Call call)
+template <class Call> int number_shares(int nthreads, int n, Call call)
 {
 #if defined(_OPENMP)
   if (nthreads > 1) {
+    int number = 0;
 #pragma omp parallel num_threads(nthreads)
     {
       const std::int64_t share = omp_get_thread_num(), shares = omp_get_num_threads();
-      call(static_cast<int>(share * n / shares), static_cast<int>((share + 1) * n / shares));
+      if (share == 0) number = static_cast<int>(shares);
+      call(static_cast<int>(share), static_cast<int>(share * n / shares),
+           static_cast<int>((share + 1) * n / shares));
     }
-    return;
+    return number;
   }
 #endif
-  call(0, n);
+  call(0, 0, n);
+  return 1;
+}
+
+// call(first, end) for each
+
+template <class Call> void each_share(int nthreads, int n, Call call)
+{
+  number_shares(nthreads, n, [&](int, int first, int end) {
+    call(first, end);
+  });
 }
 
 // join(total, result of a share) for the results of all, which call(first, end) returns
@@ -40,22 +54,11 @@ template <class Call> void each_share(int nthreads, int n, Call call)
 template <class Result, class Call, class Join>
 Result join_shares(int nthreads, int n, Result total, Call call, Join join)
 {
-#if defined(_OPENMP)
-  if (nthreads > 1) {
-    std::vector<Result> of(nthreads, total);
-    int joined = 0;    // there may be fewer threads than asked for
-#pragma omp parallel num_threads(nthreads)
-    {
-      const std::int64_t share = omp_get_thread_num(), shares = omp_get_num_threads();
-      if (share == 0) joined = static_cast<int>(shares);
-      of[share] =
-          call(static_cast<int>(share * n / shares), static_cast<int>((share + 1) * n / shares));
-    }
-    for (int k = 0; k < joined; k++) join(total, of[k]);
-    return total;
-  }
-#endif
-  join(total, call(0, n));
+  std::vector<Result> of(nthreads, total);
+  const int number = number_shares(nthreads, n, [&](int share, int first, int end) {
+    of[share] = call(first, end);
+  });
+  for (int k = 0; k < number; k++) join(total, of[k]);
   return total;
 }
 
