@@ -70,6 +70,7 @@ function(sphsolid_add_flags lmp_version)
   # memory: no fused multiply-add, no scalar steps before a vector loop until its stores are aligned
   # (they change the order of sums from run to run), and never -ffast-math.
   set(flags $<$<NOT:$<CONFIG:Debug>>:-O3>)
+  set(CMAKE_REQUIRED_FLAGS -Werror)    # some compilers only warn of what they do not know
   foreach(flag -fno-math-errno -fno-trapping-math -ffp-contract=off -fno-semantic-interposition
                --param=vect-max-peeling-for-alignment=0)
     string(MAKE_C_IDENTIFIER "SPHSOLID_HAVE${flag}" have)
@@ -78,6 +79,7 @@ function(sphsolid_add_flags lmp_version)
       list(APPEND flags ${flag})
     endif()
   endforeach()
+  unset(CMAKE_REQUIRED_FLAGS)
   if(SPHSOLID_ARCH)
     string(TOUPPER "SPHSOLID_HAVE_MARCH_${SPHSOLID_ARCH}" have)
     string(MAKE_C_IDENTIFIER ${have} have)

@@ -3,7 +3,7 @@
    constitutive update of some at a time, the energy ledger, the time step.
 
    A frame fills in how pairs are stored and summed: in rows of one particle
-   (sph_solid_row_sweeps.h, eulerian), or in columns of several particles
+   (sph_solid_eulerian.h), or in columns of several particles
    (sph_solid_lagrangian.h).
 ------------------------------------------------------------------------- */
 

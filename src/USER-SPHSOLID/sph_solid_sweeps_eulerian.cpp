@@ -1,14 +1,15 @@
 /* ----------------------------------------------------------------------
-   The sweeps of the Eulerian frame: neighbors and kernel gradients belong to
-   the present positions; see sph_solid_sweeps.h.
+   The sweeps of the Eulerian frame: velocity gradients with the constitutive
+   update, and forces; see sph_solid_eulerian.h.
 ------------------------------------------------------------------------- */
 
-#include "sph_solid_row_sweeps.h"
+#include "sph_solid_eulerian.h"
+#include "sph_solid_eulerian_heat.h"
+#include "sph_solid_eulerian_rows.h"
+#include "sph_solid_eulerian_viscous.h"
 #include "sph_solid_tensile.h"
 
 #include <atomic>
-
-using namespace SPHSolid;
 
 namespace {
 
@@ -16,78 +17,6 @@ namespace {
 // its surroundings to correct anything: B = 1.  0.2 gave up the foot of a Taylor
 // rod too early (0.03 of its kinetic energy at h = 1.3 spacings, 0.018 with 0.1)
 constexpr double DET_FALLBACK = 0.1;
-
-template <int D> class EulerianSweeps : public RowSweeps<D> {
- public:
-  EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      RowSweeps<D>(o, t, (o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0))
-  {
-  }
-
-  void new_neighbors(const Particles &, const NeighborRows &, double) override;
-  int gradient(const Particles &, const NeighborRows &, double) override;
-  void find_switch(const Particles &, const NeighborRows &) override;
-  void force(const Particles &, const NeighborRows &) override;
-  void heat(const Particles &, const NeighborRows &, double *, bool) override;
-  void virial(const Particles &, const NeighborRows &, double *) override;
-  double memory_usage() const override
-  {
-    return Base::memory_usage() + static_cast<double>(crowd.capacity() * sizeof(double));
-  }
-
- private:
-  using Base = RowSweeps<D>;
-  using Base::da, Base::extra, Base::image_first, Base::image_j, Base::images, Base::keeps_pairs,
-      Base::kin, Base::krow, Base::lonely, Base::mu_max, Base::near_weight, Base::needs_correction,
-      Base::nthreads, Base::opt, Base::pairs, Base::pull, Base::srow, Base::str,
-      Base::stress_stride, Base::types, Base::VECTOR, Base::whole_pull;
-  using typename Base::Kin;
-  using typename Base::Str;
-
-  double weight_volume(const Particles &p, int i) const override
-  {
-    return p.mass[i] / p.rho_weight[i];
-  }
-
-  std::vector<double> crowd;    // of every pair, with artificial stress: (W/W(spacing))^n
-
-  // of a batch
-  struct Sums {
-    Several<D> moment[LANES], velocity[LANES];    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
-    double nsum[LANES];                           // sum m_j Wbar
-  };
-  struct Scratch;
-  void gather(int i, int n, const int *list, Scratch &) const;
-  void find_pairs(int i, const NeighborRows &, Scratch &);
-  void accumulate(int i, Sums &, int lane);
-  int update(const Particles &, const typename Base::Batch &, Sums &, double dt, double &plastic);
-  Tensor<D, Pack> tension_stress(const Tensor<D, Pack> &) const;
-  int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
-  template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
-  template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
-  void pack_constants(const Particles &, int i, double *row) const override;
-  template <bool PULL, bool TENSILE, bool CORRECT> typename Base::Power pair_power(int i) const;
-};
-
-/* ---------------------------------------------------------------------- */
-
-template <int D>
-void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
-{
-  Base::find_image_candidates(p, list, p.x, reach);
-  Base::size_rows(p, list);
-  if (needs_correction()) near_weight.resize(pairs.j.size());
-  if (opt.tensile) crowd.resize(pairs.j.size());
-}
-
-template <int D>
-void EulerianSweeps<D>::pack_constants(const Particles &p, int i, double *row) const
-{
-  const TypeData &t = types[p.type[i]];
-  row[Kin::MASS] = p.mass[i];
-  row[Kin::H] = t.h;
-  row[Kin::NEAR] = opt.hbar * t.spacing;
-}
 
 /* ----------------------------------------------------------------------
    gradient sweep
@@ -201,8 +130,8 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
     double plastic = 0.0;
     Scratch s;
     for (int at = first * LANES; at < end * LANES; at += LANES) {
-      const typename Base::Batch batch(list, at);
-      Base::prefetch_points(p, batch);
+      const Batch batch(list, at);
+      prefetch_points(p, batch);
       Sums sums;
       for (int m = 0; m < LANES; m++) {
         if (m < batch.n) find_pairs(batch.i[m], list, s);
@@ -225,8 +154,8 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
 // read; the index of one whose state is not physical, or -1
 
 template <int D>
-int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &batch, Sums &sums,
-                              double dt, double &plastic)
+int EulerianSweeps<D>::update(const Particles &p, const Batch &batch, Sums &sums, double dt,
+                              double &plastic)
 {
   using Tensors = Tensor<D, Pack>;
   const PairForm form = pair_form(opt.viscosity);
@@ -257,9 +186,9 @@ int EulerianSweeps<D>::update(const Particles &p, const typename Base::Batch &ba
   if (needs_switch(form))
     last = Base::own_switch(rate, square_root(maximum(points.eos.c2, Pack(0.0))),
                             Base::smoothing_lengths(p, batch));
-  Base::write_rows(batch, points, weighted(points.sigma), opt.corrected ? mass / rho : mass, last);
-  if (needs_rates(form)) Base::write_tensors(batch, at_rate(), rate);
-  if (opt.tensile) Base::write_tensors(batch, extra(0), weighted(tension_stress(points.sigma)));
+  write_rows(batch, points, weighted(points.sigma), opt.corrected ? mass / rho : mass, last);
+  if (needs_rates(form)) write_tensors(batch, at_rate(), rate);
+  if (opt.tensile) write_tensors(batch, extra(0), weighted(tension_stress(points.sigma)));
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + moment.sum());
 }
 
@@ -278,11 +207,6 @@ Tensor<D, Pack> EulerianSweeps<D>::tension_stress(const Tensor<D, Pack> &sigma) 
         return R[m](a, b);
       });
   return out;
-}
-
-template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
-{
-  Base::sum_switch(p, list, at_rate());
 }
 
 /* ----------------------------------------------------------------------
@@ -307,7 +231,7 @@ void EulerianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
         force_row<FORM, true>(p, i);
       else
         force_row<FORM, false>(p, i);
-      if (FORM != PairForm::NONE && lonely) Base::lonely_pairs(p, i);
+      if (FORM != PairForm::NONE && lonely) lonely_pairs(p, i);
     }
   });
 }
@@ -405,87 +329,6 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       p.f[i][a] += mass * viscous_sum[a];
   }
   mu_max[i] = -least(mu_least);
-}
-
-/* ----------------------------------------------------------------------
-   heat
-------------------------------------------------------------------------- */
-
-// stress power K_i T_i : sum_j K_j (u_j - u_i) (x) g: the sigma_i half of
-// eq. 20, exact adjoint of the force
-
-template <int D>
-void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
-{
-  with_flags(
-      [&](auto pull, auto tensile, auto correct) {
-        Base::sum_heat(list, heat, book, [this](int i) {
-          return pair_power<decltype(pull)::value, decltype(tensile)::value,
-                            decltype(correct)::value>(i);
-        });
-      },
-      Base::heats_pairs(), opt.tensile, Base::heats_with_pairs());
-}
-
-template <int D>
-template <bool PULL, bool TENSILE, bool CORRECT>
-typename RowSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
-{
-  constexpr int R_AT = extra(0);
-  const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
-  const int stride = stress_stride;
-  const Motion<D> own(kin(i));
-  const Pack own_da = Motion<D>::load_vector(Addresses(CORRECT ? &da[i * VECTOR] : kin(i)));
-  Several<D> gradient = Several<D>::zero(), crowded = gradient;
-  Pack viscous(0.0), corrected(0.0);
-  auto add = [&](int k, auto nearest) {
-    const int *j = &pairs.j[k];
-    const Spread factor(-load(&pairs.factor[k])),
-        tensile(load(TENSILE ? &crowd[k] : &pairs.factor[k])),
-        pulled(load(PULL ? &pull[k] : &pairs.factor[k])),
-        weight(load(nearest() ? &near_weight[k] : &pairs.factor[k]));
-    for (int m = 0; m < BLOCK; m++) {
-      const Motion<D> d = own - Motion<D>(Addresses(kall, j + m, Kin::STRIDE));
-      const Pack K_j = load_all(Addresses(sall, j + m, stride) + Str::K);
-      const Several<D> g = d.spread_x() * (K_j * factor[m]);
-      add_outer(gradient, d.expanded_v(), g);
-      if (TENSILE) add_outer(crowded, d.expanded_v(), g * tensile[m]);
-      if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
-      if (nearest()) {
-        const Pack da_j = Motion<D>::load_vector(Addresses(da.data(), j + m, VECTOR));
-        corrected = multiply_add(weight[m], d.products(own_da - da_j), corrected);
-      }
-    }
-  };
-  int k = pairs.first[i];
-  const int end = k + pairs.count[i], end_nearest = k + (CORRECT ? pairs.nearest[i] : 0);
-  for (; k < end_nearest; k += LANES) add(k, std::bool_constant<CORRECT>());
-  for (; k < end; k += LANES) add(k, std::false_type());
-  double stress = contract(gradient, load_tensor<D>(si));
-  if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
-  const double mass = kin(i)[Kin::MASS];
-  return {si[Str::K] * stress, 0.5 * mass * Motion<D>::v_dot_x(viscous),
-          -0.25 * mass * Motion<D>::v_dot_x(corrected)};
-}
-
-template <int D>
-void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, double *six)
-{
-  const double *sall = srow.data(), *factor = pairs.factor.data();
-  const double *crowding = opt.tensile ? crowd.data() : nullptr;
-  const int *neighbor = pairs.j.data(), stride = stress_stride;
-  const bool pulls = keeps_pairs();
-  Base::sum_virial(list, six, [=](int i) {
-    const double *si = str(i), K = si[Str::K];
-    const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(crowding ? si + extra(0) : si);
-    return [=](int k, const Motion<D> &d) {
-      const double *sj = sall + static_cast<std::int64_t>(neighbor[k]) * stride;
-      Several<D> sum = T + load_tensor<D>(sj);
-      if (crowding) sum = sum + (R + load_tensor<D>(sj + extra(0))) * Pack(crowding[k]);
-      const Several<D> g = d.spread_x() * Pack(K * sj[Str::K] * factor[k]);
-      return expanded<D>(times(sum, g)) - Pack(pulls ? whole_pull(i, k) : 0.0) * d.expanded_x();
-    };
-  });
 }
 
 }    // namespace

@@ -30,6 +30,14 @@ template <> struct NumTraits<SPHSolid::Pack> : GenericNumTraits<SPHSolid::Pack> 
     MulCost = 1
   };
 };
+
+// A tensor of packs is aligned as a pack is.  Eigen's own answer follows
+// EIGEN_MAX_STATIC_ALIGN_BYTES, which may be less; some compilers (clang) refuse that
+namespace internal {
+  template <int Size> struct compute_default_alignment<SPHSolid::Pack, Size> {
+    enum { value = 0 };    // nothing beyond that of its numbers
+  };
+}    // namespace internal
 }    // namespace Eigen
 
 namespace SPHSolid {

@@ -21,7 +21,7 @@ namespace SPHSolid {
 // call(share, first, end) for the shares of [0, n), of which there may be fewer than threads asked
 // for; returns how many
 
-template <class Call> int number_shares(int nthreads, int n, Call call)
+template <class Call> int number_shares([[maybe_unused]] int nthreads, int n, Call call)
 {
 #if defined(_OPENMP)
   if (nthreads > 1) {

@@ -1,0 +1,161 @@
+/* ----------------------------------------------------------------------
+   The sweeps of the Eulerian frame: neighbors and kernel gradients belong to
+   the present positions; see sph_solid_sweeps.h.
+
+   The class; its members are in
+     sph_solid_eulerian_rows.h       storage, what neighbors read: messages, mirror images
+     sph_solid_eulerian_viscous.h    switch of a viscosity, acceleration correction
+     sph_solid_eulerian_heat.h       heat, virial
+     sph_solid_sweeps_eulerian.cpp   gradient and force
+
+   Every particle has a row of pairs, and a vector has some pairs of one particle.  What
+   is read of neighbors lies in packed rows (sph_solid_rows.h).
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_EULERIAN_H
+#define LMP_SPH_SOLID_EULERIAN_H
+
+#include "sph_solid_points.h"
+#include "sph_solid_rows.h"
+
+using namespace SPHSolid;
+
+// of one source file, sph_solid_sweeps_eulerian.cpp, as the compiler should know
+
+namespace {
+
+// a sweep asks for the data of pairs so many pairs ahead
+constexpr int PAIRS_AHEAD = 64;
+
+template <int D> class EulerianSweeps : public PointSweeps<D> {
+ public:
+  EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
+      PointSweeps<D>(o, t),
+      ntensors((o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0)),
+      stress_stride(extra(ntensors))
+  {
+  }
+
+  void new_neighbors(const Particles &, const NeighborRows &, double) override;
+  void pack_kinematics(const Particles &, const double *const *) override;
+  int gradient(const Particles &, const NeighborRows &, double) override;
+  int message_size(Message) const override;
+  void pack(Message, int, double *) const override;
+  void unpack(Message, const Particles &, int, const double *) override;
+  void mirror_stress() override;
+  void find_switch(const Particles &, const NeighborRows &) override;
+  void mirror_switch() override;
+  void force(const Particles &, const NeighborRows &) override;
+  void correction(const Particles &, const NeighborRows &) override;
+  void heat(const Particles &, const NeighborRows &, double *, bool) override;
+  void virial(const Particles &, const NeighborRows &, double *) override;
+  double time_step_limit(const Particles &, const NeighborRows &) const override;
+  int neighbor_count(int i) const override { return pairs.count[i]; }
+  double memory_usage() const override;
+
+ private:
+  using Base = PointSweeps<D>;
+  using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
+      Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
+      Base::types;
+  using Batch = typename Base::Batch;
+  using Points = typename Base::Points;
+  using Kin = Kinematics<D>;
+  using Str = Stress<D>;
+  static constexpr int VECTOR = Blocks<D>::VECTOR;
+
+  const int ntensors, stress_stride;    // tensors that follow the fixed part of a stress row
+  int nown = 0, nrows = 0;              // own; own and ghost with images
+
+  Rows krow, srow, da;           // rows of kinematics, stress, da
+  std::vector<double> mu_max;    // largest approach rate of own particles
+  Pairs pairs;
+  std::vector<double> near_weight;    // of pairs of nearest neighbors, for the correction
+  std::vector<double> near_pull;      // weights safe: force on i = m_i/2 near_pull x_ij
+  std::vector<double> pull;     // viscous force on i = -own weight * pull * x_ij, kept for heat
+  std::vector<double> crowd;    // of every pair, with artificial stress: (W/W(spacing))^n
+
+  const double *kin(int i) const { return &krow[i * Kin::STRIDE]; }
+  double *str(int i) { return &srow[i * stress_stride]; }
+  const double *str(int i) const { return &srow[i * stress_stride]; }
+  // tensor k of those that follow the fixed part of a row
+  static constexpr int extra(int k) { return Str::STRIDE + k * Blocks<D>::TENSOR; }
+  int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
+  const double *u(int i) const { return kin(i) + Kin::V; }      // during heat: displacements
+
+  Vector<D> separation(int i, int j) const
+  {
+    Vector<D> d;
+    for (int a = 0; a < D; a++) d[a] = kin(i)[Kin::X + a] - kin(j)[Kin::X + a];
+    return d;
+  }
+  bool is_lonely(int i) const { return needs_correction() && !(str(i)[Str::NSUM] > 0.0); }
+
+  // rows
+  void size_rows(const Particles &, const NeighborRows &);
+  void pack_constants(const Particles &, int i, double *row) const;
+  void mirror_vectors(double *rows, int stride) const;
+  double *place_of(Message, int i);
+  void write_rows(const Batch &, const Points &, const Tensor<D, Pack> &T, Pack K, Pack nsum);
+  void write_tensors(const Batch &, int at, const Tensor<D, Pack> &);
+  void prefetch_points(const Particles &, const Batch &) const;
+
+  // gradient; of a batch
+  struct Sums {
+    Several<D> moment[LANES], velocity[LANES];    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
+    double nsum[LANES];                           // sum m_j Wbar
+  };
+  struct Scratch;
+  void gather(int i, int n, const int *list, Scratch &) const;
+  void find_pairs(int i, const NeighborRows &, Scratch &);
+  void accumulate(int i, Sums &, int lane);
+  int update(const Particles &, const Batch &, Sums &, double dt, double &plastic);
+  Tensor<D, Pack> tension_stress(const Tensor<D, Pack> &) const;
+
+  // force
+  template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
+  template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
+  double whole_pull(int i, int pair) const;
+  void lonely_pairs(const Particles &, int i);
+
+  // correction.  call(weights, neighbors, da_i - da_j) for the nearest neighbors of i, some at a
+  // time; behind the last one weights are 0
+  template <class F> void each_few(int i, F call) const
+  {
+    const Pack own = load_few<D>(&da[i * VECTOR]);
+    const int first = pairs.first[i], end = first + pairs.nearest[i];
+    for (int k = first; k < end; k += Few<D>::N) {
+      const int *j = &pairs.j[k];
+      call(load_few_weights<D>(&near_weight[k]), j, own - load_few<D>(da.data(), j, VECTOR));
+    }
+  }
+  Pack central_correction(int i);
+
+  // heat.  Is the kept viscous force of every pair heat as it is?  A compatible correction heats
+  // in a way of its own
+  bool heats_pairs() const
+  {
+    return keeps_pairs() && !(needs_correction() && opt.heating == Heating::COMPATIBLE);
+  }
+  // is that of the correction found along with the work of other forces?
+  bool heats_with_pairs() const { return needs_correction() && Base::heats_evenly(); }
+  // what the forces of a row's pairs give to i while all particles move by u; of
+  // the stress the half with sigma_i, of the viscosity half of each pair's
+  struct Power {
+    double stress = 0.0, viscous = 0.0, corrected = 0.0;
+  };
+  template <bool PULL, bool TENSILE, bool CORRECT> Power pair_power(int i) const;
+  template <class OfRow>
+  typename Base::Totals sum_heat(const NeighborRows &, double *, OfRow) const;
+  double lonely_power(int i) const;
+  double heat_correction(int i) const;
+  double standard_power(int i, const double *u) const;
+
+  Several<D> row_virial(int i) const;
+  Pack pair_force(int i, int pair, const Motion<D> &) const;
+  Pack near_force(int i, int pair, const Motion<D> &) const;
+};
+
+}    // namespace
+
+#endif

@@ -1,0 +1,246 @@
+/* ----------------------------------------------------------------------
+   The Eulerian frame: heat and virial.  Members of EulerianSweeps.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_EULERIAN_HEAT_H
+#define LMP_SPH_SOLID_EULERIAN_HEAT_H
+
+#include "sph_solid_eulerian.h"
+
+namespace {
+
+// call with flags as constants
+
+template <class Call> void with_flags(Call call)
+{
+  call();
+}
+template <class Call, class... Flags> void with_flags(Call call, bool first, Flags... others)
+{
+  if (first)
+    with_flags(
+        [&](auto... flags) {
+          call(std::true_type(), flags...);
+        },
+        others...);
+  else
+    with_flags(
+        [&](auto... flags) {
+          call(std::false_type(), flags...);
+        },
+        others...);
+}
+
+/* ----------------------------------------------------------------------
+   heat: compatible with the pair forces, so that kinetic plus internal
+   energy is constant to rounding for any displacement that the kick makes
+------------------------------------------------------------------------- */
+
+template <int D>
+void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
+{
+  mirror_vectors(&krow[Kin::V], Kin::STRIDE);
+  typename Base::Totals totals;
+  with_flags(
+      [&](auto pull, auto tensile, auto correct) {
+        totals = sum_heat(list, heat, [this](int i) {
+          return pair_power<decltype(pull)::value, decltype(tensile)::value,
+                            decltype(correct)::value>(i);
+        });
+      },
+      heats_pairs(), opt.tensile, heats_with_pairs());
+  if (book) Base::enter(totals, 1.0);
+}
+
+// of_row(i): the Power of the pairs of i
+
+template <int D>
+template <class OfRow>
+typename EulerianSweeps<D>::Base::Totals
+EulerianSweeps<D>::sum_heat(const NeighborRows &list, double *heat, OfRow of_row) const
+{
+  using Totals = typename Base::Totals;
+  return join_shares(
+      nthreads, list.inum, Totals(),
+      [&](int first, int end) {
+        Totals share;
+        for (int ii = first; ii < end; ii++) {
+          const int i = list.ilist[ii];
+          const Power power = of_row(i);
+          double q = power.viscous;
+          if (needs_correction()) {
+            // what the standard viscosity would heat: q has all of it for eq. 30,
+            // else the pairs that no correction touches
+            q += lonely_power(i);
+            share.standard += q + standard_power(i, u(i));
+            q += heats_with_pairs() ? power.corrected : heat_correction(i);
+          }
+          heat[i] = power.stress + q;
+          share.viscous += q;
+        }
+        return share;
+      },
+      Totals::add);
+}
+
+// stress power K_i T_i : sum_j K_j (u_j - u_i) (x) g: the sigma_i half of
+// eq. 20, exact adjoint of the force
+
+template <int D>
+template <bool PULL, bool TENSILE, bool CORRECT>
+typename EulerianSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
+{
+  constexpr int R_AT = extra(0);
+  const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
+  const int stride = stress_stride;
+  const Motion<D> own(kin(i));
+  const Pack own_da = Motion<D>::load_vector(Addresses(CORRECT ? &da[i * VECTOR] : kin(i)));
+  Several<D> gradient = Several<D>::zero(), crowded = gradient;
+  Pack viscous(0.0), corrected(0.0);
+  auto add = [&](int k, auto nearest) {
+    const int *j = &pairs.j[k];
+    const Spread factor(-load(&pairs.factor[k])),
+        tensile(load(TENSILE ? &crowd[k] : &pairs.factor[k])),
+        pulled(load(PULL ? &pull[k] : &pairs.factor[k])),
+        weight(load(nearest() ? &near_weight[k] : &pairs.factor[k]));
+    for (int m = 0; m < BLOCK; m++) {
+      const Motion<D> d = own - Motion<D>(Addresses(kall, j + m, Kin::STRIDE));
+      const Pack K_j = load_all(Addresses(sall, j + m, stride) + Str::K);
+      const Several<D> g = d.spread_x() * (K_j * factor[m]);
+      add_outer(gradient, d.expanded_v(), g);
+      if (TENSILE) add_outer(crowded, d.expanded_v(), g * tensile[m]);
+      if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
+      if (nearest()) {
+        const Pack da_j = Motion<D>::load_vector(Addresses(da.data(), j + m, VECTOR));
+        corrected = multiply_add(weight[m], d.products(own_da - da_j), corrected);
+      }
+    }
+  };
+  int k = pairs.first[i];
+  const int end = k + pairs.count[i], end_nearest = k + (CORRECT ? pairs.nearest[i] : 0);
+  for (; k < end_nearest; k += LANES) add(k, std::bool_constant<CORRECT>());
+  for (; k < end; k += LANES) add(k, std::false_type());
+  double stress = contract(gradient, load_tensor<D>(si));
+  if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
+  const double mass = kin(i)[Kin::MASS];
+  return {si[Str::K] * stress, 0.5 * mass * Motion<D>::v_dot_x(viscous),
+          -0.25 * mass * Motion<D>::v_dot_x(corrected)};
+}
+
+// what the standard viscosity would heat, apart from pairs that are heated as they are
+
+template <int D> double EulerianSweeps<D>::standard_power(int i, const double *u) const
+{
+  if (opt.heating != Heating::COMPATIBLE) return 0.0;
+  double power = 0.0;
+  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * VECTOR + a] * u[a];
+  return power;
+}
+
+// half the work of the pairs that a compatible correction leaves alone
+
+template <int D> double EulerianSweeps<D>::lonely_power(int i) const
+{
+  if (!lonely || opt.heating != Heating::COMPATIBLE) return 0.0;
+  double sum = 0.0;
+  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
+    const int j = pairs.j[k];
+    const double s = whole_pull(i, k);
+    for (int a = 0; a < D; a++) sum += s * (u(i)[a] - u(j)[a]) * (kin(i)[a] - kin(j)[a]);
+  }
+  return 0.5 * sum;
+}
+
+// compatible: for symmetric weights, heats_with_pairs();
+// shepard weights leak momentum, there the loss of kinetic energy of the
+// particle itself becomes heat (exact in total, not Galilean invariant);
+// printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
+// safe: half the work of each central pair force, none of it negative for u = v
+
+template <int D> double EulerianSweeps<D>::heat_correction(int i) const
+{
+  const bool printed = opt.heating == Heating::PRINTED;
+  if (safe()) {
+    double power = 0.0;
+    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++)
+      for (int a = 0; a < D; a++)
+        power -= near_pull[k] * (u(i)[a] - u(pairs.j[k])[a]) * (kin(i)[a] - kin(pairs.j[k])[a]);
+    return 0.25 * kin(i)[Kin::MASS] * power;
+  }
+  const Pack ui = load_few<D>(u(i));
+  Pack power = 0.0;
+  each_few(i, [&](Pack w, const int *j, Pack difference) {
+    const Pack uj = load_few<D>(u(0), j, Kin::STRIDE);
+    if (printed)
+      power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, VECTOR);
+    else
+      power -= w * 0.5 * ui * difference;
+  });
+  return kin(i)[Kin::MASS] * SPHSolid::sum(power);
+}
+
+/* ----------------------------------------------------------------------
+   virial, only on steps that ask for it: half of each pair's sum x_ij f_ij
+------------------------------------------------------------------------- */
+
+template <int D>
+void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, double *six)
+{
+  Base::add_virial(list.inum, six, [&](int begin, int end) {
+    typename Base::Six total = {};
+    for (int ii = begin; ii < end; ii++) {
+      double rows[Blocks<D>::TENSOR];    // (a,b): f_a x_b
+      store_tensor<D>(Addresses(rows), row_virial(list.ilist[ii]));
+      for (int a = 0; a < D; a++)
+        for (int b = a; b < D; b++) total[VOIGT[a][b]] += 0.5 * rows[Blocks<D>::at(b, a)];
+    }
+    return total;
+  });
+}
+
+// sum of f_ij (x) x_ij
+
+template <int D> Several<D> EulerianSweeps<D>::row_virial(int i) const
+{
+  const Motion<D> own(kin(i));
+  const int first = pairs.first[i];
+  Several<D> sum = Several<D>::zero();
+  for (int k = first; k < first + pairs.count[i]; k++) {
+    const Motion<D> d = own - Motion<D>(kin(pairs.j[k]));
+    add_outer(sum, pair_force(i, k, d), d.spread_x());
+  }
+  for (int k = first; k < first + pairs.nearest[i]; k++) {
+    const Motion<D> d = own - Motion<D>(kin(pairs.j[k]));
+    add_outer(sum, near_force(i, k, d), d.spread_x());
+  }
+  return sum;
+}
+
+// forces of a pair on i without the correction, expanded
+
+template <int D>
+inline Pack EulerianSweeps<D>::pair_force(int i, int pair, const Motion<D> &d) const
+{
+  const double *si = str(i), *sj = str(pairs.j[pair]);
+  Several<D> T = load_tensor<D>(si) + load_tensor<D>(sj);
+  if (opt.tensile)
+    T = T + (load_tensor<D>(si + extra(0)) + load_tensor<D>(sj + extra(0))) * Pack(crowd[pair]);
+  const Several<D> g = d.spread_x() * Pack(si[Str::K] * sj[Str::K] * pairs.factor[pair]);
+  return expanded<D>(times(T, g)) - Pack(whole_pull(i, pair)) * d.expanded_x();
+}
+
+// what the correction puts on i for its nearest neighbor in a pair, expanded
+
+template <int D>
+inline Pack EulerianSweeps<D>::near_force(int i, int pair, const Motion<D> &d) const
+{
+  const double half = 0.5 * kin(i)[Kin::MASS];
+  if (safe()) return Pack(half * near_pull[pair]) * d.expanded_x();
+  const Pack difference = load_expanded<D>(Addresses(&da[i * VECTOR])) -
+      load_expanded<D>(Addresses(&da[pairs.j[pair] * VECTOR]));
+  return Pack(half * near_weight[pair]) * difference;
+}
+
+}    // namespace
+
+#endif

@@ -1,0 +1,221 @@
+/* ----------------------------------------------------------------------
+   The Eulerian frame: storage, and what neighbors read of a particle, sent to ghosts and
+   mirrored to images.  Members of EulerianSweeps.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_EULERIAN_ROWS_H
+#define LMP_SPH_SOLID_EULERIAN_ROWS_H
+
+#include "sph_solid_eulerian.h"
+
+namespace {
+
+/* ----------------------------------------------------------------------
+   storage
+------------------------------------------------------------------------- */
+
+template <int D>
+void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
+{
+  Base::find_image_candidates(p, list, p.x, reach);
+  size_rows(p, list);
+  if (needs_correction()) near_weight.resize(pairs.j.size());
+  if (opt.tensile) crowd.resize(pairs.j.size());
+}
+
+template <int D> void EulerianSweeps<D>::size_rows(const Particles &p, const NeighborRows &list)
+{
+  nown = p.nlocal;
+  nparticles = p.nall;
+  nrows = p.nall + (images.any() ? images.count() : 0);
+  krow.resize(static_cast<std::size_t>(nrows) * Kin::STRIDE);
+  srow.resize(static_cast<std::size_t>(nrows) * stress_stride);
+  if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * VECTOR);
+  mu_max.assign(p.nlocal, 0.0);
+  pairs.first.assign(p.nlocal + 1, 0);
+  pairs.count.assign(p.nlocal, 0);
+  pairs.nearest.assign(p.nlocal, 0);
+
+  for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii];
+    pairs.first[i + 1] = list.numneigh[i];
+  }
+  for (int i = 0; i < p.nlocal; i++) {
+    if (images.any()) pairs.first[i + 1] += image_first[i + 1] - image_first[i];
+    pairs.first[i + 1] = pairs.first[i] + whole_vectors(pairs.first[i + 1]);
+  }
+  pairs.j.resize(pairs.first[p.nlocal]);
+  pairs.factor.resize(pairs.first[p.nlocal]);
+  each_share(nthreads, nrows, [&](int first, int end) {
+    for (int row = first; row < end; row++)
+      pack_constants(p, source_of(row), &krow[static_cast<std::size_t>(row) * Kin::STRIDE]);
+  });
+}
+
+// what a kinematic row has of a particle besides its motion
+
+template <int D>
+void EulerianSweeps<D>::pack_constants(const Particles &p, int i, double *row) const
+{
+  const TypeData &t = types[p.type[i]];
+  row[Kin::MASS] = p.mass[i];
+  row[Kin::H] = t.h;
+  row[Kin::NEAR] = opt.hbar * t.spacing;
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
+{
+  double *rows = krow.data();
+  each_share(nthreads, p.nall, [&](int first, int end) {
+    for (int i = first; i < end; i++) {
+      double *row = rows + static_cast<std::size_t>(i) * Kin::STRIDE;
+      const double *x = p.x[i], *vi = v[i];
+      for (int a = 0; a < D; a++) {
+        row[Kin::X + a] = x[a];
+        row[Kin::V + a] = vi[a];
+      }
+      row[Kin::VOLUME] = p.mass[i] / p.rho_weight[i];
+    }
+  });
+  for (int k = 0; k < nrows - p.nall; k++) {
+    const double *from = kin(images.source_of(k));
+    double *row = &krow[(p.nall + k) * Kin::STRIDE];
+    double sign[3];
+    images.signs(k, sign);
+    images.template position<D>(k, from + Kin::X, row + Kin::X);
+    for (int a = 0; a < D; a++) row[Kin::V + a] = sign[a] * from[Kin::V + a];
+    row[Kin::VOLUME] = from[Kin::VOLUME];
+  }
+}
+
+template <int D>
+void EulerianSweeps<D>::write_rows(const Batch &batch, const Points &points,
+                                   const Tensor<D, Pack> &T, Pack K, Pack nsum)
+{
+  write_tensors(batch, Str::T, T);
+  Pack rho = points.state.rho, c = square_root(maximum(points.eos.c2, Pack(0.0)));
+  transpose(K, rho, c, nsum);
+  const Pack state[BLOCK] = {K, rho, c, nsum};
+  for (int m = 0; m < BLOCK; m++)
+    store(batch.rows(srow.data(), m, stress_stride) + Str::K, state[m]);
+}
+
+// one tensor of the rows
+
+template <int D>
+void EulerianSweeps<D>::write_tensors(const Batch &batch, int at, const Tensor<D, Pack> &t)
+{
+  Several<D> rows[BLOCK];
+  from_lanes<D>(t, rows);
+  for (int m = 0; m < BLOCK; m++)
+    store_tensor(batch.rows(srow.data(), m, stress_stride) + at, rows[m]);
+}
+
+// what the next batch needs, if it lies behind this one
+
+template <int D>
+void EulerianSweeps<D>::prefetch_points(const Particles &p, const Batch &batch) const
+{
+  const int next = batch.i[0] + LANES;
+  if (next + LANES > nown) return;
+  Base::prefetch_state(p, next);
+  prefetch(str(next), LANES * stress_stride);
+}
+
+/* ----------------------------------------------------------------------
+   rows of ghosts and images
+------------------------------------------------------------------------- */
+
+template <int D> int EulerianSweeps<D>::message_size(Message what) const
+{
+  if (what == Message::STRESS) return stress_stride;
+  return what == Message::SWITCH ? 1 : D;
+}
+
+template <int D> double *EulerianSweeps<D>::place_of(Message what, int i)
+{
+  if (what == Message::STRESS) return str(i);
+  if (what == Message::SWITCH) return str(i) + Str::SWITCH;
+  return what == Message::VISCOUS ? &da[i * VECTOR] : &krow[i * Kin::STRIDE + Kin::V];
+}
+
+template <int D> void EulerianSweeps<D>::pack(Message what, int i, double *out) const
+{
+  const double *from = const_cast<EulerianSweeps *>(this)->place_of(what, i);
+  std::copy(from, from + message_size(what), out);
+}
+
+template <int D>
+void EulerianSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
+{
+  std::copy(in, in + message_size(what), place_of(what, i));
+  if (what == Message::STRESS) p.rho[i] = in[Str::RHO];
+}
+
+// a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
+// both signs
+
+template <int D> void EulerianSweeps<D>::mirror_stress()
+{
+  for (int k = 0; k < nrows - nparticles; k++) {
+    const double *from = str(images.source_of(k));
+    double *row = str(nparticles + k);
+    double sign[3];
+    images.signs(k, sign);
+    std::copy(from, from + stress_stride, row);
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) {
+        row[Str::T + Blocks<D>::at(a, b)] *= sign[a] * sign[b];
+        for (int t = 0; t < ntensors; t++) row[extra(t) + Blocks<D>::at(a, b)] *= sign[a] * sign[b];
+      }
+  }
+
+  if (needs_correction()) {
+    lonely = false;
+    for (int i = 0; i < nrows; i++) lonely = lonely || !(str(i)[Str::NSUM] > 0.0);
+  }
+  if (keeps_pairs()) pull.resize(pairs.j.size());
+}
+
+template <int D> void EulerianSweeps<D>::mirror_vectors(double *rows, int stride) const
+{
+  for (int k = 0; k < nrows - nparticles; k++) {
+    double sign[3];
+    images.signs(k, sign);
+    for (int a = 0; a < D; a++)
+      rows[(nparticles + k) * stride + a] = sign[a] * rows[images.source_of(k) * stride + a];
+  }
+}
+
+template <int D>
+double EulerianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &list) const
+{
+  return Base::least_of(list.inum, NO_LIMIT, [&](int first, int end) {
+    double limit = NO_LIMIT;
+    for (int ii = first; ii < end; ii++) {
+      const int i = list.ilist[ii];
+      const double *row = str(i);
+      const TypeData &type = types[p.type[i]];
+      limit = std::min(
+          limit,
+          Base::step_limit(type.h, type.material.shear, row[Str::RHO], row[Str::C], mu_max[i]));
+    }
+    return limit;
+  });
+}
+
+template <int D> double EulerianSweeps<D>::memory_usage() const
+{
+  const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
+      mu_max.capacity() + pull.capacity() + crowd.capacity() + pairs.factor.capacity() +
+      near_weight.capacity() + near_pull.capacity();
+  const std::size_t ints = pairs.first.capacity() + pairs.count.capacity() +
+      pairs.nearest.capacity() + pairs.j.capacity() + image_first.capacity() + image_j.capacity();
+  return static_cast<double>(doubles * sizeof(double) + ints * sizeof(int));
+}
+
+}    // namespace
+
+#endif
