@@ -14,6 +14,7 @@
 #include "fix_sph_solid.h"
 
 #include "atom.h"
+#include "atom_vec_sph_solid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -22,13 +23,15 @@
 #include "memory.h"
 #include "modify.h"
 #include "pair_sph_solid.h"
+#include "sph_solid_fingerprint.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
 #include "update.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <vector>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -52,6 +55,10 @@ FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) :
 FixSPHSolid::~FixSPHSolid()
 {
   memory->destroy(heat);
+  // unfix: nobody else knows what is due.  At the end of LAMMPS there is no force any more
+  if (due.empty() || !force) return;
+  pair = dynamic_cast<PairSPHSolid *>(force->pair_match("sph/solid", 1));
+  if (pair) take_up_due();
 }
 
 int FixSPHSolid::setmask()
@@ -69,8 +76,9 @@ FixSPHSolid *FixSPHSolid::leader(LAMMPS *lmp)
 }
 
 /* ----------------------------------------------------------------------
-   a run that finds the velocities that the last one (or the restart file)
-   left behind continues it exactly; otherwise it starts from rest in time
+   a run that finds the state that the last one (or the restart file) left
+   behind continues it exactly; otherwise it starts from rest in time, with
+   the heat of the last half kick taken up
 ------------------------------------------------------------------------- */
 
 void FixSPHSolid::init()
@@ -80,11 +88,39 @@ void FixSPHSolid::init()
     error->all(FLERR, "Fix sph/solid works with run_style verlet, not with {}",
                update->integrate_style);
   leading = (leader(lmp) == this);
+  require_masses();
   heat_on_the_way = leading && pair->keep_heat(moves_alone());
-  if (dt_pending > 0.0 && fingerprint != 0 && fingerprint == velocity_fingerprint())
+  if (dt_pending > 0.0 && fingerprint != 0 && fingerprint == state_fingerprint())
     pair->continue_from_half_step();
-  else
+  else {
+    take_up_due();
     dt_pending = 0.0;
+  }
+}
+
+void FixSPHSolid::require_masses() const
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & groupbit) && !(atom->rmass[i] > 0.0))
+      error->one(FLERR,
+                 "Fix sph/solid {}: particle {} of type {} has mass {}: expected one > 0, from "
+                 "a material of pair style sph/solid or 'set ... mass'",
+                 id, atom->tag[i], atom->type[i], atom->rmass[i]);
+}
+
+// does a fix change the size or shape of the box?  Domain's flags also say so where faces are
+// shrink-wrapped, which moves no particle
+
+bool FixSPHSolid::drives_box(const Fix *fix)
+{
+  return (fix->box_change & ~BOX_CHANGE_DOMAIN) != 0;
+}
+
+bool FixSPHSolid::drives_box(LAMMPS *lmp)
+{
+  for (const auto &fix : lmp->modify->get_fix_list())
+    if (drives_box(fix)) return true;
+  return false;
 }
 
 /* ----------------------------------------------------------------------
@@ -104,7 +140,7 @@ bool FixSPHSolid::moves_alone() const
       continue;
     }
     const int between = INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE;
-    if ((modify->fmask[k] & between) || (fix->box_change & ~BOX_CHANGE_DOMAIN)) others = 1;
+    if ((modify->fmask[k] & between) || drives_box(fix)) others = 1;
     // one that adds, removes or moves particles to other ranks must not come first
     if ((modify->fmask[k] & PRE_EXCHANGE) && k < own) others = 1;
   }
@@ -118,12 +154,41 @@ bool FixSPHSolid::moves_alone() const
 
 void FixSPHSolid::setup(int)
 {
+  if (drives_box(lmp) && !domain->deform_vremap)
+    error->all(FLERR,
+               "Fix sph/solid: the box changes its size or shape and moves particles without a "
+               "velocity, which gives no stress: expected fix deform ... remap v");
   if (!pair->has_resumed()) dt_pending = 0.0;
+  due.clear();
 }
 
 void FixSPHSolid::post_run()
 {
-  fingerprint = velocity_fingerprint();
+  fingerprint = state_fingerprint();
+  if (leading && dt_pending > 0.0 && pair->has_energy()) keep_due();
+}
+
+// the heat of the last half kick, by IDs: commands between runs may delete particles and add others
+
+void FixSPHSolid::keep_due()
+{
+  std::vector<double> energy(atom->nlocal + 1);
+  pending_heat(energy.data());
+  due.clear();
+  for (int i = 0; i < atom->nlocal; i++) due.push_back({atom->tag[i], energy[i]});
+  std::sort(due.begin(), due.end());
+}
+
+void FixSPHSolid::take_up_due()
+{
+  std::vector<double> energy(atom->nlocal + 1, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const std::pair<tagint, double> first(atom->tag[i], -HUGE_VAL);
+    const auto at = std::lower_bound(due.begin(), due.end(), first);
+    if (at != due.end() && at->first == atom->tag[i]) energy[i] = at->second;
+  }
+  take_up(energy.data());
+  due.clear();
 }
 
 // fix_modify ID reference renew: the group's next run starts from the
@@ -143,26 +208,30 @@ int FixSPHSolid::modify_param(int narg, char **arg)
   return 2;
 }
 
-// a number that any change of a velocity or ID changes, and no change of order does
+// a number that any change of a state or ID changes, and no change of order does.  Positions across
+// a periodic box change by its length in between and do not count
 
-bigint FixSPHSolid::velocity_fingerprint() const
+bigint FixSPHSolid::state_fingerprint() const
 {
+  const auto *own = AtomVecSPHSolid::arrays(atom);
   std::uint64_t mine = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    std::uint64_t hash = static_cast<std::uint64_t>(atom->tag[i]);
-    for (int k = 0; k < 3; k++) {
-      std::uint64_t bits;
-      std::memcpy(&bits, &atom->v[i][k], sizeof(bits));
-      hash = (hash ^ bits) * 0x9E3779B97F4A7C15ull;
-      hash ^= hash >> 29;
-    }
-    mine += hash;
+    SPHSolid::Fingerprint print(static_cast<std::uint64_t>(atom->tag[i]));
+    for (int k = 0; k < 3; k++) print.add(atom->v[i][k]);
+    for (int k = 0; k < 3; k++) print.add(domain->periodicity[k] ? 0.0 : atom->x[i][k]);
+    for (int k = 0; k < 6; k++) print.add(own->stress[i][k]);
+    for (const double value : {atom->rho[i], atom->esph[i], own->epl[i], atom->vfrac[i]})
+      print.add(value);
+    mine += print.value();
   }
   // as bigint: the MPI stubs of a serial LAMMPS know no unsigned type
-  bigint own, all;
-  std::memcpy(&own, &mine, sizeof(own));
-  MPI_Allreduce(&own, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all | 1;
+  bigint own_sum, all;
+  std::memcpy(&own_sum, &mine, sizeof(own_sum));
+  MPI_Allreduce(&own_sum, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  std::memcpy(&mine, &all, sizeof(mine));
+  mine = (mine + pair->numerics_mark()) | 1;
+  std::memcpy(&all, &mine, sizeof(all));
+  return all;
 }
 
 /* ----------------------------------------------------------------------
@@ -254,11 +323,7 @@ void FixSPHSolid::take_up(const double *energy)
 
 void FixSPHSolid::settle()
 {
-  if (dt_pending > 0.0) {
-    std::vector<double> due(atom->nlocal + 1, 0.0);
-    pending_heat(due.data());
-    take_up(due.data());
-  }
+  take_up_due();
   dt_pending = 0.0;
 }
 
@@ -277,7 +342,7 @@ void FixSPHSolid::pending_heat(double *out) const
 void FixSPHSolid::write_restart(FILE *fp)
 {
   double list[6] = {dt_pending, 0.0, 0.0, 0.0, 0.0, 0.0};
-  const bigint mark = velocity_fingerprint();
+  const bigint mark = pair ? state_fingerprint() : 0;
   std::memcpy(&list[1], &mark, sizeof(mark));
   if (pair && leading) {
     const SPHSolid::Ledger &l = pair->ledger();

@@ -22,6 +22,9 @@ FixStyle(sph/solid,FixSPHSolid);
 
 #include "fix.h"
 
+#include <utility>
+#include <vector>
+
 namespace LAMMPS_NS {
 
 class FixSPHSolid : public Fix {
@@ -46,6 +49,9 @@ class FixSPHSolid : public Fix {
   // the fix that books heat for all of them: the first one defined
   static FixSPHSolid *leader(class LAMMPS *);
 
+  // does any fix change the size or shape of the box?
+  static bool drives_box(class LAMMPS *);
+
   // length of the step whose second half kick is not heated yet [time]
   double pending_step() const { return dt_pending; }
 
@@ -57,9 +63,15 @@ class FixSPHSolid : public Fix {
   double *heat;            // of own atoms, scratch
   int nmax;
 
-  bigint fingerprint;    // of all velocities when the last run ended
+  std::vector<std::pair<tagint, double>> due;    // between runs: heat of that half kick [energy]
 
-  bigint velocity_fingerprint() const;
+  bigint fingerprint;    // of the state when the last run ended
+
+  static bool drives_box(const Fix *);
+  bigint state_fingerprint() const;
+  void require_masses() const;
+  void keep_due();
+  void take_up_due();
   bool moves_alone() const;
   void add_heat();
   void take_up(const double *);

@@ -17,6 +17,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_sph_solid.h"
 #include "memory.h"
 #include "neigh_list.h"
 #include "neighbor.h"
@@ -35,12 +36,17 @@ static constexpr double COVER_MORE = 1.25;
 // partners may be so much of a periodic box apart
 static constexpr double LARGEST_SHARE = 0.45;
 
+// lengths are the same if they differ by less than this share: input scripts round them
+static constexpr double SAME = 1.0e-6;
+
 /* ---------------------------------------------------------------------- */
 
 FixSPHSolidPartners::FixSPHSolidPartners(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), xref(nullptr), vref(nullptr), npartner(nullptr), partner(nullptr)
+    Fix(lmp, narg, arg), xref(nullptr), vref(nullptr), npartner(nullptr), self(nullptr),
+    partner(nullptr)
 {
   restart_peratom = 1;
+  restart_global = 1;
   create_attribute = 1;
   stores_ids = 1;
   comm_border = 4;
@@ -63,6 +69,7 @@ FixSPHSolidPartners::~FixSPHSolidPartners()
   memory->destroy(xref);
   memory->destroy(vref);
   memory->destroy(npartner);
+  memory->destroy(self);
   memory->destroy(partner);
 }
 
@@ -75,7 +82,7 @@ void FixSPHSolidPartners::init()
 {
   if (periodic() && domain->triclinic)
     error->all(FLERR, "sph/solid, frame lagrangian: a triclinic box cannot be periodic");
-  if (periodic() && domain->box_change_size)
+  if (periodic() && FixSPHSolid::drives_box(lmp))
     error->all(FLERR, "sph/solid, frame lagrangian: a periodic box cannot change its size");
 
   // after a restart every rank knows its own rows only
@@ -102,7 +109,7 @@ void FixSPHSolidPartners::widen(int n)
     partner = wider;
     maxpartner = n;
   }
-  maxexchange = maxpartner + 5;
+  maxexchange = maxpartner + 6;
 }
 
 void FixSPHSolidPartners::forget(int groupbit)
@@ -110,7 +117,7 @@ void FixSPHSolidPartners::forget(int groupbit)
   int mine = 0, cut = 0;
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < npartner[i]; k++) {
-      const int j = atom->map(partner[i][k]);
+      const int j = where(partner[i][k]);
       if (j >= 0 && ((atom->mask[i] ^ atom->mask[j]) & groupbit)) mine = 1;
     }
   MPI_Allreduce(&mine, &cut, 1, MPI_INT, MPI_MAX, world);
@@ -132,12 +139,50 @@ bool FixSPHSolidPartners::anyone_without() const
 }
 
 /* ----------------------------------------------------------------------
+   between runs commands can change what partners rely on
+------------------------------------------------------------------------- */
+
+void FixSPHSolidPartners::require_same(const std::vector<double> &h)
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (npartner[i] > 0 && self[i] != atom->tag[i])
+      error->one(FLERR, Error::NOLASTLINE,
+                 "sph/solid, frame lagrangian: particle {} has been particle {} in the reference, "
+                 "and its partners are known by their IDs: expected IDs that stay (delete_atoms "
+                 "... compress no, no reset_atoms id)",
+                 atom->tag[i], self[i]);
+
+  std::vector<double> now(3, 0.0);
+  for (int d = 0; d < domain->dimension; d++)
+    if (domain->periodicity[d]) now[d] = domain->prd[d];
+  now.insert(now.end(), h.begin() + 1, h.end());
+  std::vector<int> mine(now.size(), 0), used(now.size(), 0);    // by a particle with partners?
+  for (int i = 0; i < atom->nlocal; i++)
+    if (npartner[i] > 0) mine[2 + atom->type[i]] = mine[0] = mine[1] = mine[2] = 1;
+  MPI_Allreduce(mine.data(), used.data(), static_cast<int>(used.size()), MPI_INT, MPI_MAX, world);
+  if (lengths.size() != now.size()) lengths = now;
+  for (std::size_t k = 0; k < now.size(); k++) {
+    if (used[k] && std::fabs(now[k] - lengths[k]) > SAME * std::max(now[k], lengths[k]))
+      error->all(
+          FLERR, Error::NOLASTLINE,
+          "sph/solid, frame lagrangian: {} is {:.8g} and was {:.8g} in the reference: expected "
+          "the same, or fix_modify ... reference renew",
+          k < 3 ? fmt::format("the length of the box along {} (0: not periodic)", "xyz"[k])
+                : fmt::format("the smoothing length of type {}", k - 2),
+          now[k], lengths[k]);
+    if (!used[k]) lengths[k] = now[k];
+  }
+}
+
+/* ----------------------------------------------------------------------
    the present configuration becomes the reference of all particles that have
    none: partners are all others of them inside the kernel
 ------------------------------------------------------------------------- */
 
 void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag)
 {
+  drop_reused_ids();
+
   // which ghosts are without a reference travels as a negative volume
   for (int i = 0; i < atom->nlocal; i++) {
     if (npartner[i] >= 0) continue;
@@ -163,6 +208,7 @@ void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag)
     present_partners(list, ii, cutsq, found);
     std::copy(found.begin(), found.end(), partner[i]);
     npartner[i] = static_cast<int>(found.size());
+    self[i] = atom->tag[i];
   }
   for (int i = 0; i < atom->nlocal; i++) npartner[i] = std::max(npartner[i], 0);
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) vref[i] = std::fabs(vref[i]);
@@ -185,7 +231,13 @@ void FixSPHSolidPartners::present_partners(NeighList *list, int ii, double **cut
     double r2 = 0.0;
     for (int k = 0; k < 3; k++)
       r2 += (atom->x[i][k] - atom->x[j][k]) * (atom->x[i][k] - atom->x[j][k]);
-    if (vref[j] < 0.0 && r2 < cutsq[atom->type[i]][atom->type[j]]) found.push_back(atom->tag[j]);
+    if (!(vref[j] < 0.0 && r2 < cutsq[atom->type[i]][atom->type[j]])) continue;
+    if (r2 == 0.0)
+      error->one(FLERR, Error::NOLASTLINE,
+                 "sph/solid, frame lagrangian: particles {} and {} lie at the same place {:.8g} "
+                 "{:.8g} {:.8g}",
+                 atom->tag[i], atom->tag[j], atom->x[i][0], atom->x[i][1], atom->x[i][2]);
+    found.push_back(atom->tag[j]);
   }
   std::sort(found.begin(), found.end());
   if (std::adjacent_find(found.begin(), found.end()) != found.end())
@@ -216,7 +268,7 @@ void FixSPHSolidPartners::find(bool setup, int **setflag)
     own.push_back(i);
     start[i] = static_cast<int>(index.size());
     for (int k = 0; k < npartner[i]; k++) {
-      const int j = atom->map(partner[i][k]);
+      const int j = where(partner[i][k]);
       if (j < 0)
         missing.push_back(partner[i][k]);
       else
@@ -236,6 +288,13 @@ bool FixSPHSolidPartners::in_place() const
       std::equal(seen.begin(), seen.end(), atom->tag);
 }
 
+// local index of an ID, or -1: Atom::map() looks no further than the largest ID there is
+
+int FixSPHSolidPartners::where(tagint of) const
+{
+  return of < atom->get_map_size() ? atom->map(of) : -1;
+}
+
 // of two partners half a box apart nobody knows which image is the one that the material connects
 
 int FixSPHSolidPartners::near_image(int i, int j) const
@@ -250,6 +309,41 @@ int FixSPHSolidPartners::near_image(int i, int j) const
                  atom->tag[i], atom->tag[j], std::fabs(a[d] - b[d]), update->ntimestep,
                  std::fabs(a[d] - b[d]) / LARGEST_SHARE);
   return image;
+}
+
+std::vector<tagint> FixSPHSolidPartners::of_all_ranks(std::vector<tagint> &mine) const
+{
+  int n = static_cast<int>(mine.size());
+  std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
+  MPI_Allgather(&n, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
+  for (int k = 1; k < comm->nprocs; k++) starts[k] = starts[k - 1] + sizes[k - 1];
+  std::vector<tagint> all(starts.back() + sizes.back());
+  MPI_Allgatherv(mine.data(), n, MPI_LMP_TAGINT, all.data(), sizes.data(), starts.data(),
+                 MPI_LMP_TAGINT, world);
+  return all;
+}
+
+// particles have been deleted, and new ones have got their IDs
+
+void FixSPHSolidPartners::drop_reused_ids()
+{
+  int mine = 0, anyone = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (npartner[i] > 0) mine = 1;
+  MPI_Allreduce(&mine, &anyone, 1, MPI_INT, MPI_MAX, world);
+  if (!anyone) return;    // as in a first run
+
+  std::vector<tagint> own_new, reused;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (npartner[i] < 0) own_new.push_back(atom->tag[i]);
+  std::vector<tagint> all_new = of_all_ranks(own_new);
+  std::sort(all_new.begin(), all_new.end());
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++)
+      if (std::binary_search(all_new.begin(), all_new.end(), partner[i][k]))
+        reused.push_back(partner[i][k]);
+  std::vector<tagint> gone = of_all_ranks(reused);
+  if (!gone.empty()) drop(gone);
 }
 
 // a partner that is nowhere has been deleted (between runs) or lost; one that
@@ -277,15 +371,10 @@ void FixSPHSolidPartners::resolve_missing(std::vector<tagint> &missing, bool set
                missing[0], update->ntimestep);
 
   // every rank learns what is missing anywhere, and who has it
-  std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
-  MPI_Allgather(&mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
-  for (int k = 1; k < comm->nprocs; k++) starts[k] = starts[k - 1] + sizes[k - 1];
-  std::vector<tagint> all(total);
-  MPI_Allgatherv(missing.data(), mine, MPI_LMP_TAGINT, all.data(), sizes.data(), starts.data(),
-                 MPI_LMP_TAGINT, world);
+  const std::vector<tagint> all = of_all_ranks(missing);
   std::vector<int> have(total), anyone(total);
   for (int k = 0; k < total; k++) {
-    const int i = atom->map(all[k]);
+    const int i = where(all[k]);
     have[k] = (i >= 0 && i < atom->nlocal) ? 1 : 0;
   }
   MPI_Allreduce(have.data(), anyone.data(), total, MPI_INT, MPI_MAX, world);
@@ -302,9 +391,10 @@ void FixSPHSolidPartners::resolve_missing(std::vector<tagint> &missing, bool set
   drop(gone);
 }
 
-void FixSPHSolidPartners::drop(const std::vector<tagint> &list)
+// particles of these IDs, the same list on every rank, are partners of nobody any more
+
+void FixSPHSolidPartners::drop(std::vector<tagint> &gone)
 {
-  std::vector<tagint> gone = list;
   std::sort(gone.begin(), gone.end());
   gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
   for (int i = 0; i < atom->nlocal; i++) {
@@ -373,6 +463,7 @@ void FixSPHSolidPartners::post_run()
 void FixSPHSolidPartners::grow_arrays(int nmax)
 {
   memory->grow(npartner, nmax, "sph/solid:npartner");
+  memory->grow(self, nmax, "sph/solid:self");
   memory->grow(partner, nmax, maxpartner, "sph/solid:partner");
   memory->grow(xref, nmax, 3, "sph/solid:xref");
   memory->grow(vref, nmax, "sph/solid:vref");
@@ -381,6 +472,7 @@ void FixSPHSolidPartners::grow_arrays(int nmax)
 void FixSPHSolidPartners::copy_arrays(int i, int j, int)
 {
   npartner[j] = npartner[i];
+  self[j] = self[i];
   for (int k = 0; k < npartner[i]; k++) partner[j][k] = partner[i][k];
   for (int k = 0; k < 3; k++) xref[j][k] = xref[i][k];
   vref[j] = vref[i];
@@ -389,6 +481,7 @@ void FixSPHSolidPartners::copy_arrays(int i, int j, int)
 void FixSPHSolidPartners::set_arrays(int i)
 {
   npartner[i] = -1;
+  self[i] = 0;
   for (int k = 0; k < 3; k++) xref[i][k] = 0.0;
   vref[i] = 0.0;
 }
@@ -397,6 +490,7 @@ int FixSPHSolidPartners::pack_row(int i, double *buf) const
 {
   int m = 0;
   buf[m++] = ubuf(npartner[i]).d;
+  buf[m++] = ubuf(self[i]).d;
   for (int k = 0; k < npartner[i]; k++) buf[m++] = ubuf(partner[i][k]).d;
   for (int k = 0; k < 3; k++) buf[m++] = xref[i][k];
   buf[m++] = vref[i];
@@ -407,6 +501,7 @@ int FixSPHSolidPartners::unpack_row(int i, const double *buf)
 {
   int m = 0;
   npartner[i] = static_cast<int>(ubuf(buf[m++]).i);
+  self[i] = static_cast<tagint>(ubuf(buf[m++]).i);
   for (int k = 0; k < npartner[i]; k++) partner[i][k] = static_cast<tagint>(ubuf(buf[m++]).i);
   for (int k = 0; k < 3; k++) xref[i][k] = buf[m++];
   vref[i] = buf[m++];
@@ -460,12 +555,12 @@ void FixSPHSolidPartners::unpack_forward_comm(int n, int first, double *buf)
 
 int FixSPHSolidPartners::size_restart(int i)
 {
-  return 6 + std::max(npartner[i], 0);
+  return 7 + std::max(npartner[i], 0);
 }
 
 int FixSPHSolidPartners::maxsize_restart()
 {
-  return 6 + maxpartner;
+  return 7 + maxpartner;
 }
 
 int FixSPHSolidPartners::pack_restart(int i, double *buf)
@@ -485,10 +580,30 @@ void FixSPHSolidPartners::unpack_restart(int i, int nth)
   unpack_row(i, extra + m + 1);
 }
 
+// the lengths of the reference: their number, then they themselves
+
+void FixSPHSolidPartners::write_restart(FILE *fp)
+{
+  if (comm->me != 0) return;
+  std::vector<double> list(1, static_cast<double>(lengths.size()));
+  list.insert(list.end(), lengths.begin(), lengths.end());
+  const int size = static_cast<int>(list.size() * sizeof(double));
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(list.data(), sizeof(double), list.size(), fp);
+}
+
+void FixSPHSolidPartners::restart(char *buf)
+{
+  double n;
+  std::memcpy(&n, buf, sizeof(double));
+  lengths.resize(static_cast<std::size_t>(n));
+  std::memcpy(lengths.data(), buf + sizeof(double), lengths.size() * sizeof(double));
+}
+
 double FixSPHSolidPartners::memory_usage()
 {
   double bytes =
-      (double) atom->nmax * (sizeof(int) + 4 * sizeof(double) + maxpartner * sizeof(tagint));
+      (double) atom->nmax * (sizeof(int) + 4 * sizeof(double) + (1 + maxpartner) * sizeof(tagint));
   bytes += (double) index.capacity() * sizeof(int) + (double) row.capacity() * sizeof(int *);
   bytes += (double) seen.capacity() * sizeof(tagint);
   bytes += (double) (own.capacity() + count.capacity()) * sizeof(int);

@@ -41,9 +41,13 @@ class FixSPHSolidPartners : public Fix {
   void init() override;
   void pre_exchange() override;
   void post_run() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
 
   // particles of a group are without reference from now on
   void forget(int groupbit);
+  // stop unless IDs, box and smoothing lengths (of types, from 1) are those of the reference
+  void require_same(const std::vector<double> &h);
   // give those without one the present configuration; list: full neighbor list,
   // setflag[t][t]: has type t a material
   bool anyone_without() const;
@@ -77,8 +81,11 @@ class FixSPHSolidPartners : public Fix {
 
  private:
   int *npartner;       // number of partners, -1: no reference yet
+  tagint *self;        // own ID in the reference
   tagint **partner;    // their IDs, ascending
   int maxpartner;      // columns of partner
+  // lengths that belong to the reference: the box, 0 where it is not periodic; then h of types
+  std::vector<double> lengths;
 
   // local view, valid until particles move between ranks
   std::vector<int> own, count, index;
@@ -91,8 +98,11 @@ class FixSPHSolidPartners : public Fix {
   bool needs_reference(int i, int **setflag) const;
   void present_partners(class NeighList *list, int ii, double **cutsq,
                         std::vector<tagint> &found) const;
+  int where(tagint) const;
+  std::vector<tagint> of_all_ranks(std::vector<tagint> &mine) const;
+  void drop_reused_ids();
   void resolve_missing(std::vector<tagint> &, bool setup);
-  void drop(const std::vector<tagint> &gone);
+  void drop(std::vector<tagint> &gone);
   bool periodic() const;
   double largest_distance() const;
   void cover();

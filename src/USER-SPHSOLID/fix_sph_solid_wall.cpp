@@ -32,6 +32,10 @@ using namespace FixConst;
 // a particle this close to the plane, in smoothing lengths, is on it
 static constexpr double ON_PLANE = 1.0e-6;
 
+// a reaction brings particles to rest on the plane over steps of its own length, and slows them
+// down over others; from three times as long ones it would throw them back faster than they came
+static constexpr double LONGER = 2.0;
+
 /* ----------------------------------------------------------------------
    fix ID group sph/solid/wall <xlo|...|zhi> <position> [contact|symmetry]
 ------------------------------------------------------------------------- */
@@ -76,7 +80,8 @@ FixSPHSolidWall::FixSPHSolidWall(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   restart_global = 1;
   dynamic_group_allow = 1;
-  work = reaction_v = reaction_a = reaction = 0.0;
+  work = reaction_v = reaction_a = reaction = dt_used = 0.0;
+  added = true;
 }
 
 int FixSPHSolidWall::setmask()
@@ -87,12 +92,29 @@ int FixSPHSolidWall::setmask()
 void FixSPHSolidWall::init()
 {
   pair = PairSPHSolid::find(lmp, "Fix sph/solid/wall");
+  reactions.clear();
+  dt_used = 0.0;
 }
 
 void FixSPHSolidWall::setup(int)
 {
-  if (!pair->has_resumed()) require_in_front();
+  if (!pair->has_resumed() || added) require_in_front();
+  added = false;
   constrain(pair->has_resumed() ? CONTINUE : START);
+  reset_dt();    // a command may have changed it between two runs
+}
+
+// the time step is another one than these reactions are for (or becomes so in the setup of a later
+// fix): the rest of the step, half a kick, with reactions anew
+
+void FixSPHSolidWall::reset_dt()
+{
+  if (dt_used == 0.0) return;    // the setup is still to come
+  // in the middle of a kick, only if it must be: the heat of its halves is that of one force
+  const double ratio = update->dt / dt_used, most = kicked ? LONGER : 1.0;
+  if (ratio <= most && ratio >= 1.0 / most) return;
+  for (const Reaction &r : reactions) atom->f[r.i][dim] -= normal * r.force;
+  constrain(START);
 }
 
 void FixSPHSolidWall::require_in_front() const
@@ -125,7 +147,7 @@ void FixSPHSolidWall::post_force(int)
 /* ----------------------------------------------------------------------
    a particle whose step would cross the plane lands on it instead:
    a_n = (-y/dt - v_n)/dt, with y the distance and v_n the velocity at the
-   half step (the first step of a run makes half a kick only: twice that).
+   half step (the first step of a run makes half a kick only: twice that, v_n at the step).
    Symmetry holds what is on the plane; its images are in the pair style
 ------------------------------------------------------------------------- */
 
@@ -137,12 +159,15 @@ void FixSPHSolidWall::constrain(Phase phase)
   const double dt = (phase == CONTINUE && mover) ? mover->pending_step() : update->dt;
   const double share = (phase == START) ? 0.5 : 1.0;
   reaction = reaction_v = reaction_a = 0.0;
+  reactions.clear();
+  dt_used = dt;
+  kicked = phase != START;
 
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
+    if (!(atom->mask[i] & groupbit) || !pair->moves(i)) continue;
     const double mass = atom->rmass[i];
     const double y = normal * (x[i][dim] - plane);
-    const double vn = normal * vhalf[i][dim], fn = normal * f[i][dim];
+    const double vn = normal * (phase == START ? v : vhalf)[i][dim], fn = normal * f[i][dim];
     const bool away = mass * (y + dt * vn) + share * dt * dt * fn >= 0.0;
     if ((away && !symmetry) || !pair->has_material(i)) continue;
     if (away && std::fabs(y) >= ON_PLANE * pair->smoothing_length(i)) continue;
@@ -155,6 +180,7 @@ void FixSPHSolidWall::constrain(Phase phase)
     // work on the half kick of this step, and what the next one needs
     if (phase == STEP) work += 0.5 * dt * R * (vn + 0.25 * dt * landing);
     const double v_full = (phase == STEP) ? vn + 0.5 * dt * landing : normal * v[i][dim];
+    reactions.push_back({i, R});
     reaction += R;
     reaction_v += R * v_full;
     reaction_a += R * landing;
@@ -207,4 +233,5 @@ void FixSPHSolidWall::restart(char *buf)
   double total;
   std::memcpy(&total, buf, sizeof(double));
   work = (comm->me == 0) ? total : 0.0;
+  added = false;
 }

@@ -22,6 +22,8 @@ FixStyle(sph/solid/wall,FixSPHSolidWall);
 
 #include "fix.h"
 
+#include <vector>
+
 namespace LAMMPS_NS {
 
 class FixSPHSolidWall : public Fix {
@@ -32,6 +34,7 @@ class FixSPHSolidWall : public Fix {
   void setup(int) override;
   void initial_integrate(int) override;
   void post_force(int) override;
+  void reset_dt() override;
   double compute_scalar() override;
   double compute_vector(int) override;
   void write_restart(FILE *) override;
@@ -54,6 +57,14 @@ class FixSPHSolidWall : public Fix {
   double work;                      // done by the wall on the bodies, this rank
   double reaction_v, reaction_a;    // of the half kick to come: sums of R v and R a
   double reaction;                  // total normal force, this rank
+  bool added;                       // since the last run
+  double dt_used;                   // time step that the present reactions are for
+  bool kicked;                      // and half a kick has been made with them
+  struct Reaction {
+    int i;
+    double force;    // along the normal
+  };
+  std::vector<Reaction> reactions;    // of own particles
 
   enum Phase { START, CONTINUE, STEP };
   void constrain(Phase);

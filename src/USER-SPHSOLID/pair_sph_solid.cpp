@@ -30,6 +30,7 @@
 #include "npair.h"
 #include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
+#include "sph_solid_fingerprint.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
 #include "update.h"
@@ -76,6 +77,7 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
   kept = new Ledger;
   message = Message::STRESS;
   message_of_sweeps = true;
+  displacement_time = 0.0;
   resume = resumed = warned_lost = warned_overload = logged = false;
   integrated = list_threads = 0;
   evaluated_own = evaluated_all = -1;
@@ -129,10 +131,11 @@ void PairSPHSolid::compute(int eflag, int vflag)
     sweeps->correction(p, list);
   }
 
-  if (eflag_global)
+  if (eflag_global || eflag_atom)
     for (int ii = 0; ii < list.inum; ii++) {
       const int i = list.ilist[ii];
-      eng_vdwl += p.mass[i] * p.e[i];
+      if (eflag_global) eng_vdwl += p.mass[i] * p.e[i];
+      if (eflag_atom) eatom[i] += p.mass[i] * p.e[i];
     }
   if (vflag_global) sweeps->virial(p, list, virial);
   evaluated_own = p.nlocal;
@@ -156,6 +159,7 @@ void PairSPHSolid::new_neighbors(bool setup)
     sort_rows();
   else {
     if (!setup && partners->in_place()) return;
+    if (setup) partners->require_same(smoothing_lengths());
     if (setup && partners->anyone_without()) {
       neighbor->build_one(list);
       partners->refer(list, cutsq, setflag);
@@ -169,7 +173,7 @@ void PairSPHSolid::new_neighbors(bool setup)
     id.assign(atom->tag, atom->tag + p.nall);
     p.id = id.data();
   }
-  sweeps->new_neighbors(p, rows(), cutforce + neighbor->skin);
+  sweeps->new_neighbors(p, rows(), largest_cutoff() + neighbor->skin);
 }
 
 // partners are known, and in three dimensions their neighbor list is a tenth of all memory: give its
@@ -197,11 +201,7 @@ NeighborRows PairSPHSolid::rows() const
 
 void PairSPHSolid::create_partners()
 {
-  if (atom->map_style == Atom::MAP_NONE) {
-    atom->map_init();
-    atom->map_set();
-    if (comm->me == 0) utils::logmesg(lmp, "sph/solid: switched on an atom map\n");
-  }
+  want_map();
   if (!partners)
     partners = dynamic_cast<FixSPHSolidPartners *>(
         modify->add_fix(std::string(PARTNERS_ID) + " all SPH/SOLID/PARTNERS"));
@@ -362,7 +362,7 @@ void PairSPHSolid::forward(Message what)
   comm->forward_comm(this, sweeps->message_size(what));
 }
 
-int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int, int *)
+int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int across, int *pbc)
 {
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
   double **vhalf = own->vhalf;
@@ -371,7 +371,23 @@ int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int, int *)
       sweeps->pack(message, atoms[k], &buf[k * size]);
     else
       std::copy(vhalf[atoms[k]], vhalf[atoms[k]] + size, &buf[k * size]);
+  const bool velocities = !message_of_sweeps || message == Message::DISPLACEMENT;
+  if (velocities && across && domain->deform_vremap) add_box_velocity(n, size, atoms, buf, pbc);
   return n * size;
+}
+
+// in a box that deforms with velocities remapped (fix deform), what crosses its boundary moves by
+// that much faster: as AtomVec::pack_comm_vel() has it
+
+void PairSPHSolid::add_box_velocity(int n, int size, const int *atoms, double *buf,
+                                    const int *pbc) const
+{
+  const double *rate = domain->h_rate, factor = message_of_sweeps ? displacement_time : 1.0;
+  const double dv[3] = {pbc[0] * rate[0] + pbc[5] * rate[5] + pbc[4] * rate[4],
+                        pbc[1] * rate[1] + pbc[3] * rate[3], pbc[2] * rate[2]};
+  for (int k = 0; k < n; k++)
+    if (atom->mask[atoms[k]] & domain->deform_groupbit)
+      for (int a = 0; a < size; a++) buf[k * size + a] += factor * dv[a];
 }
 
 void PairSPHSolid::unpack_forward_comm(int n, int first, double *buf)
@@ -411,6 +427,7 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool 
       sweeps->unpack(Message::DISPLACEMENT, p, i, u);
     }
   });
+  displacement_time = v_scale;
   forward(Message::DISPLACEMENT);
   sweeps->heat(p, rows(), heat, book);
 }
@@ -443,6 +460,19 @@ double PairSPHSolid::time_step_limit() const
 double PairSPHSolid::usual_courant_number() const
 {
   return SPHSolid::usual_courant_number(options->frame);
+}
+
+std::uint64_t PairSPHSolid::numerics_mark() const
+{
+  const Options &o = *options;
+  Fingerprint print(1);
+  for (const double value : {o.h, o.a1, o.a2, o.hbar, o.tensile_eps, o.tensile_n, o.hourglass})
+    print.add(value);
+  for (const int value :
+       {static_cast<int>(o.frame), static_cast<int>(o.viscosity), static_cast<int>(o.weights),
+        static_cast<int>(o.heating), o.corrected ? 1 : 0, o.tensile ? 1 : 0, o.energy ? 1 : 0})
+    print.add(value);
+  return print.value();
 }
 
 bool PairSPHSolid::has_energy() const
@@ -518,6 +548,29 @@ double PairSPHSolid::sound_speed(int i) const
   const double c2 =
       SPHSolid::pressure(types[atom->type[i]].material, atom->rho[i], rho_ref, atom->esph[i]).c2;
   return std::sqrt(std::max(c2, 0.0));
+}
+
+bool PairSPHSolid::moves(int i) const
+{
+  return (atom->mask[i] & integrated) != 0;
+}
+
+std::vector<double> PairSPHSolid::smoothing_lengths() const
+{
+  std::vector<double> h(atom->ntypes + 1, 0.0);
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (setflag[t][t]) h[t] = types[t].h;
+  return h;
+}
+
+// of the types with a material; Pair::cutforce is that of the whole pair style, and in a hybrid 0
+
+double PairSPHSolid::largest_cutoff()
+{
+  double cut = 0.0;
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (setflag[t][t]) cut = std::max(cut, init_one(t, t));
+  return cut;
 }
 
 double PairSPHSolid::smoothing_length(int i) const

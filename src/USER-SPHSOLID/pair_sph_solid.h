@@ -22,6 +22,7 @@ PairStyle(sph/solid,PairSPHSolid);
 
 #include "pair.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace SPHSolid {
@@ -81,9 +82,11 @@ class PairSPHSolid : public Pair {
 
   bool has_energy() const;                    // is there an energy equation?
   void require_energy(const char *) const;    // stop if not; for whom, for the message
+  bool moves(int) const;                      // does a fix sph/solid move own atom i?
   bool has_material(int) const;               // of own atom i: in a hybrid, others may have none
   double time_step_limit() const;             // own atoms, Courant number 1 [time]
   double usual_courant_number() const;
+  std::uint64_t numerics_mark() const;    // a number that changes with the numerics
   void cauchy_stress(int, double *) const;
   double pressure(int) const;
   double plastic_strain(int) const;
@@ -102,8 +105,8 @@ class PairSPHSolid : public Pair {
 
  private:
   SPHSolid::Options *options;
-  SPHSolid::TypeData *types;    // one per atom type, from 1
-  class SPHSolidArrays *own;    // of the atom style
+  SPHSolid::TypeData *types;     // one per atom type, from 1
+  struct SPHSolidArrays *own;    // of the atom style
   SPHSolid::Sweeps *sweeps;
   SPHSolid::Ledger *kept;    // energy ledger, while the sweeps are built anew
 
@@ -111,6 +114,7 @@ class PairSPHSolid : public Pair {
 
   SPHSolid::Message message;    // what the next one carries
   bool message_of_sweeps;       // else it is velocities at the half step
+  double displacement_time;     // displacements of a message over velocities
   bool resume;                  // the next setup continues where the last run ended
   bool resumed;                 // the last evaluation was such a setup
   int integrated;               // group bits of all fix sph/solid
@@ -123,13 +127,18 @@ class PairSPHSolid : public Pair {
   void allocate();
   void require_environment();
   void require_one_integrator();
+  void warn_idle_velocities();
   void require_apart(const class Fix *);
   void require_single_layer();
   void require_cold_materials();
   void fill_unset_state();
   void require_state();
+  void require_plausible_state();
   void measure_spacing();
   void collect_planes();
+  void want_map();
+  double largest_cutoff();
+  std::vector<double> smoothing_lengths() const;
   void create_partners();
   void delete_partners();
   void new_neighbors(bool);
@@ -142,6 +151,7 @@ class PairSPHSolid : public Pair {
   SPHSolid::Particles particles() const;
   SPHSolid::NeighborRows rows() const;
   void forward(SPHSolid::Message);
+  void add_box_velocity(int n, int size, const int *atoms, double *buf, const int *pbc) const;
 };
 
 }    // namespace LAMMPS_NS

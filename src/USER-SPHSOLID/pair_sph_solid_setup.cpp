@@ -58,6 +58,8 @@ void PairSPHSolid::allocate()
 void PairSPHSolid::settings(int narg, char **arg)
 {
   *options = parse_options(lmp, narg, arg);
+  comm_forward = LARGEST_MESSAGE;    // a hybrid copies it now and never asks again
+  if (options->frame == Frame::LAGRANGIAN) want_map();
 }
 
 /* ----------------------------------------------------------------------
@@ -114,6 +116,7 @@ void PairSPHSolid::init_style()
   if (domain->dimension == 2) require_single_layer();
   if (!options->energy) require_cold_materials();
   fill_unset_state();
+  require_plausible_state();
   measure_spacing();
 
   if (!comm->ghost_velocity) {
@@ -122,7 +125,8 @@ void PairSPHSolid::init_style()
   }
   if (!logged)
     for (int i = 1; i <= atom->ntypes; i++)
-      if (setflag[i][i]) log_material(lmp, i, types[i].material, types[i].h, types[i].spacing);
+      if (setflag[i][i] && types[i].spacing > 0.0)
+        log_material(lmp, i, types[i].material, types[i].h, types[i].spacing);
   logged = true;
   warned_lost = warned_overload = false;
 
@@ -134,8 +138,7 @@ void PairSPHSolid::init_style()
   sweeps->ledger = *kept;
   evaluated_own = evaluated_all = -1;
   sweeps->nthreads = comm->nthreads;
-  comm_forward =
-      std::max(3, sweeps->message_size(Message::STRESS));    // the largest of all messages
+  comm_forward = std::max(3, sweeps->message_size(Message::STRESS));    // the largest one
   collect_planes();
   if (options->frame == Frame::LAGRANGIAN) {
     create_partners();
@@ -152,85 +155,6 @@ void PairSPHSolid::init_list(int id, NeighList *made)
 {
   Pair::init_list(id, made);
   list_threads = comm->nthreads;
-}
-
-void PairSPHSolid::require_environment()
-{
-  own = AtomVecSPHSolid::arrays(atom);    // of this Atom: replicate makes another
-  if (!own)
-    error->all(FLERR, "Pair style sph/solid needs atom_style sph/solid (alone or in hybrid)");
-  if (atom->tag_enable == 0) error->all(FLERR, "Pair style sph/solid needs atom IDs");
-  const std::string units = update->unit_style;
-  if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
-    error->all(FLERR, "Pair style sph/solid works in units si, cgs, micro, nano or lj, not in {}",
-               units);
-  if (update->whichflag == 2)
-    error->all(FLERR, "Pair style sph/solid carries a history and cannot be minimized");
-  if (!options) error->all(FLERR, "Pair style sph/solid has no settings");
-  for (int i = 1; i <= atom->ntypes; i++)
-    if (!setflag[i][i] && !force->pair_match("^hybrid", 0))
-      error->all(FLERR,
-                 "Pair style sph/solid: type {0} has no material: expected pair_coeff {0} {0} "
-                 "<file> <material>",
-                 i);
-}
-
-/* ----------------------------------------------------------------------
-   every particle is moved by one fix: ours or, for a clamped group, none
-------------------------------------------------------------------------- */
-
-void PairSPHSolid::require_one_integrator()
-{
-  integrated = 0;
-  for (const auto &fix : modify->get_fix_list()) {
-    if (strcmp(fix->style, "sph/solid") != 0) continue;
-    require_apart(fix);
-    integrated |= fix->groupbit;
-  }
-  if (!integrated && update->whichflag == 1)
-    error->all(FLERR,
-               "Pair style sph/solid: no time integration: expected a command like "
-               "'fix 1 all sph/solid'");
-
-  for (const auto &fix : modify->get_fix_list())
-    if (fix->time_integrate && strcmp(fix->style, "sph/solid") != 0) require_apart(fix);
-}
-
-// fix may not move particles that fixes sph/solid, as far as they are known, move
-
-void PairSPHSolid::require_apart(const Fix *fix)
-{
-  int twice = 0, twice_all = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & fix->groupbit) && (atom->mask[i] & integrated)) twice++;
-  MPI_Allreduce(&twice, &twice_all, 1, MPI_INT, MPI_SUM, world);
-  if (twice_all)
-    error->all(FLERR,
-               "Pair style sph/solid: fix {} of style {} moves {} particles that a fix "
-               "sph/solid moves too: expected one of the two per particle",
-               fix->id, fix->style, twice_all);
-}
-
-void PairSPHSolid::require_single_layer()
-{
-  for (int i = 0; i < atom->nlocal; i++)
-    if (std::fabs(atom->x[i][2]) > 1.0e-10 * domain->zprd)
-      error->one(FLERR,
-                 "Pair style sph/solid, dimension 2: particle {} has z = {}: expected a "
-                 "single layer of particles at z = 0",
-                 atom->tag[i], atom->x[i][2]);
-}
-
-// without an energy equation nothing may depend on the internal energy
-
-void PairSPHSolid::require_cold_materials()
-{
-  for (int i = 1; i <= atom->ntypes; i++)
-    if (setflag[i][i] && types[i].material.Gamma != 0.0)
-      error->all(FLERR,
-                 "Pair style sph/solid: the pressure of type {} depends on its internal energy, "
-                 "Gamma = {}: expected energy yes, or gamma 0",
-                 i, types[i].material.Gamma);
 }
 
 /* ----------------------------------------------------------------------
@@ -250,24 +174,6 @@ void PairSPHSolid::fill_unset_state()
     if (atom->rmass[i] == 0.0) atom->rmass[i] = types[t].material.rho0 * atom->vfrac[i];
     if (atom->rho[i] == 0.0) atom->rho[i] = atom->rmass[i] / atom->vfrac[i];
     if (own->rho_weight[i] == 0.0) own->rho_weight[i] = atom->rho[i];
-  }
-}
-
-// when atoms moved between ranks or were added: everything has its state
-
-void PairSPHSolid::require_state()
-{
-  for (int i = 0; i < atom->nlocal; i++) {
-    const int t = atom->type[i];
-    if (!setflag[t][t]) continue;
-    if (!(atom->vfrac[i] > 0.0) || !(atom->rmass[i] > 0.0) || !(atom->rho[i] > 0.0))
-      error->one(
-          FLERR, Error::NOLASTLINE,
-          "sph/solid: particle {} at {:.8g} {:.8g} {:.8g} has volume {}, mass {} and density "
-          "{} in step {}: expected values > 0. Particles cannot be added during a run (fix "
-          "deposit): add them between runs and set their volume",
-          atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2], atom->vfrac[i], atom->rmass[i],
-          atom->rho[i], update->ntimestep);
   }
 }
 
@@ -357,4 +263,24 @@ void PairSPHSolid::read_restart_settings(FILE *fp)
 {
   if (comm->me == 0) utils::sfread(FLERR, options, sizeof(Options), 1, fp, nullptr, error);
   MPI_Bcast(options, sizeof(Options), MPI_BYTE, 0, world);
+  comm_forward = LARGEST_MESSAGE;
+  if (options->frame == Frame::LAGRANGIAN) want_map();
+}
+
+// partners are found by their IDs.  Early, since others (fix balance) ask once whether there is a map
+
+void PairSPHSolid::want_map()
+{
+  if (atom->map_style != Atom::MAP_NONE || !atom->tag_enable) return;
+  if (!modify->get_fix_by_style("^balance").empty())
+    error->all(
+        FLERR,
+        "Pair style sph/solid, frame lagrangian, needs an atom map that fix balance knows "
+        "of: expected 'atom_modify map yes' before the box, or pair_style before fix balance");
+  if (domain->box_exist) {
+    atom->map_init();
+    atom->map_set();
+  } else
+    atom->map_style = atom->map_user = Atom::MAP_YES;
+  if (comm->me == 0) utils::logmesg(lmp, "sph/solid: switched on an atom map\n");
 }

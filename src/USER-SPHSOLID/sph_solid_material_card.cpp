@@ -268,6 +268,12 @@ void SPHSolid::log_material(LAMMPS *lmp, int type, const Material &m, double h, 
                  m.longitudinal_speed());
   utils::logmesg(lmp, "  h {:.6g}  spacing {:.6g}  h/spacing {:.4f}\n", h, spacing, h / spacing);
 
+  if (h <= 0.5 * spacing)
+    lmp->error->warning(FLERR,
+                        "sph/solid type {}: h is {:.4g} spacings, and its kernel ends before the "
+                        "nearest neighbors: expected 0.8 or more",
+                        type, h / spacing);
+
   // the seed's own iron: C from shock data, E and mu from elastic tests
   if (m.young > 0.0) {
     const double K = m.young * m.shear / (3.0 * (3.0 * m.shear - m.young));

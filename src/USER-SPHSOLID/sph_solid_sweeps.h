@@ -121,6 +121,10 @@ struct HeatDue {
 
 enum class Message { STRESS, SWITCH, VISCOUS, DISPLACEMENT };
 
+// of any frame and options, in doubles per particle: Eulerian in three dimensions, with two more
+// tensors for artificial stress and velocity gradients
+constexpr int LARGEST_MESSAGE = 40;
+
 class Sweeps {
  public:
   virtual ~Sweeps() = default;

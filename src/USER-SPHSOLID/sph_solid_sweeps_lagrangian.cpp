@@ -222,9 +222,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     for (int a = 0; a < D; a++) moment[a] = multiply_add(F, X[a], moment[a]);
     if (!VISCOUS && !HOURGLASS) continue;
 
-    // lanes without a partner may lie on what they read
+    // lanes without a partner may lie on what they read, and particles may land on their image:
+    // find_overload() will say so
     const Components<D> d = motion(i, j);
-    const Pack r2 = where_positive(-f, d.x_dot_x(), one), vr = d.v_dot_x();
+    const Pack apart = d.x_dot_x(), vr = d.v_dot_x();
+    const Pack r2 = where_positive(minimum(-f, apart), apart, one);
     const Pack inv_r2 = 1.0 / r2;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {

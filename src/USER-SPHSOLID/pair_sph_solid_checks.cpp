@@ -1,0 +1,185 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+// What pair style sph/solid refuses or warns of before a run
+
+#include "pair_sph_solid.h"
+
+#include "atom.h"
+#include "atom_vec_sph_solid.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix.h"
+#include "force.h"
+#include "modify.h"
+#include "sph_solid_sweeps.h"
+#include "update.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace SPHSolid;
+
+// a mass that differs by more than this factor from volume times density is worth a warning
+static constexpr double ODD_MASS = 2.0;
+
+void PairSPHSolid::require_environment()
+{
+  own = AtomVecSPHSolid::arrays(atom);    // of this Atom: replicate makes another
+  if (!own)
+    error->all(FLERR, "Pair style sph/solid needs atom_style sph/solid (alone or in hybrid)");
+  if (atom->tag_enable == 0) error->all(FLERR, "Pair style sph/solid needs atom IDs");
+  const std::string units = update->unit_style;
+  if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
+    error->all(FLERR, "Pair style sph/solid works in units si, cgs, micro, nano or lj, not in {}",
+               units);
+  if (update->whichflag == 2)
+    error->all(FLERR, "Pair style sph/solid carries a history and cannot be minimized");
+  if (!options) error->all(FLERR, "Pair style sph/solid has no settings");
+  for (int i = 1; i <= atom->ntypes; i++)
+    if (!setflag[i][i] && !force->pair_match("^hybrid", 0))
+      error->all(FLERR,
+                 "Pair style sph/solid: type {0} has no material: expected pair_coeff {0} {0} "
+                 "<file> <material>",
+                 i);
+}
+
+/* ----------------------------------------------------------------------
+   every particle is moved by one fix: ours or, for a clamped group, none
+------------------------------------------------------------------------- */
+
+void PairSPHSolid::require_one_integrator()
+{
+  integrated = 0;
+  for (const auto &fix : modify->get_fix_list()) {
+    if (strcmp(fix->style, "sph/solid") != 0) continue;
+    require_apart(fix);
+    integrated |= fix->groupbit;
+  }
+  if (!integrated && update->whichflag == 1)
+    error->all(FLERR,
+               "Pair style sph/solid: no time integration: expected a command like "
+               "'fix 1 all sph/solid'");
+
+  for (const auto &fix : modify->get_fix_list())
+    if (fix->time_integrate && strcmp(fix->style, "sph/solid") != 0) require_apart(fix);
+  if (update->whichflag == 1) warn_idle_velocities();
+}
+
+// a clamped particle with a velocity would be a flow for its neighbors that never goes anywhere
+
+void PairSPHSolid::warn_idle_velocities()
+{
+  int movers = 0, mine = 0, all = 0;
+  for (const auto &fix : modify->get_fix_list())
+    if (fix->time_integrate) movers |= fix->groupbit;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *v = atom->v[i];
+    const int t = atom->type[i];
+    if ((atom->mask[i] & movers) || !setflag[t][t]) continue;
+    if (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0) mine++;
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+  if (all && comm->me == 0)
+    error->warning(FLERR,
+                   "sph/solid: {} particles have a velocity and no fix moves them: their neighbors "
+                   "feel a motion that never happens; for a clamp expected velocity 0",
+                   all);
+}
+
+// fix may not move particles that fixes sph/solid, as far as they are known, move
+
+void PairSPHSolid::require_apart(const Fix *fix)
+{
+  int twice = 0, twice_all = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & fix->groupbit) && (atom->mask[i] & integrated)) twice++;
+  MPI_Allreduce(&twice, &twice_all, 1, MPI_INT, MPI_SUM, world);
+  if (twice_all)
+    error->all(FLERR,
+               "Pair style sph/solid: fix {} of style {} moves {} particles that a fix "
+               "sph/solid moves too: expected one of the two per particle",
+               fix->id, fix->style, twice_all);
+}
+
+void PairSPHSolid::require_single_layer()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (std::fabs(atom->x[i][2]) > 1.0e-10 * domain->zprd)
+      error->one(FLERR,
+                 "Pair style sph/solid, dimension 2: particle {} has z = {}: expected a "
+                 "single layer of particles at z = 0",
+                 atom->tag[i], atom->x[i][2]);
+}
+
+// without an energy equation nothing may depend on the internal energy
+
+void PairSPHSolid::require_cold_materials()
+{
+  for (int i = 1; i <= atom->ntypes; i++)
+    if (setflag[i][i] && types[i].material.Gamma != 0.0)
+      error->all(FLERR,
+                 "Pair style sph/solid: the pressure of type {} depends on its internal energy, "
+                 "Gamma = {}: expected energy yes, or gamma 0",
+                 i, types[i].material.Gamma);
+}
+
+/* ----------------------------------------------------------------------
+   before a run: numbers, and a mass that belongs to the volume.  Other atom styles, and "set volume"
+   after masses have followed from volumes, make others
+------------------------------------------------------------------------- */
+
+void PairSPHSolid::require_plausible_state()
+{
+  int mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int t = atom->type[i];
+    if (!setflag[t][t]) continue;
+    const double *v = atom->v[i];
+    if (!std::isfinite(v[0] + v[1] + v[2]))
+      error->one(
+          FLERR,
+          "sph/solid: particle {} has the velocity {} {} {}: expected numbers. Commands that "
+          "divide by masses, such as velocity create, need a 'run 0' or 'set ... mass' before",
+          atom->tag[i], v[0], v[1], v[2]);
+    const double share = reference_density(atom->rmass[i], atom->vfrac[i]) / types[t].material.rho0;
+    if (share < 1.0 / ODD_MASS || share > ODD_MASS) mine++;
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+  if (all && comm->me == 0)
+    error->warning(FLERR,
+                   "sph/solid: the mass of {} particles is less than half or more than twice their "
+                   "volume times the density of their material: it has been set before (atom style "
+                   "sphere does so), and is used as it is",
+                   all);
+}
+
+// when atoms moved between ranks or were added: everything has its state
+
+void PairSPHSolid::require_state()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int t = atom->type[i];
+    if (!setflag[t][t]) continue;
+    if (!(atom->vfrac[i] > 0.0) || !(atom->rmass[i] > 0.0) || !(atom->rho[i] > 0.0))
+      error->one(
+          FLERR, Error::NOLASTLINE,
+          "sph/solid: particle {} at {:.8g} {:.8g} {:.8g} has volume {}, mass {} and density "
+          "{} in step {}: expected values > 0. Particles cannot be added during a run (fix "
+          "deposit): add them between runs and set their volume",
+          atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2], atom->vfrac[i], atom->rmass[i],
+          atom->rho[i], update->ntimestep);
+  }
+}

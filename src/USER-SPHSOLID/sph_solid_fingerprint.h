@@ -1,0 +1,31 @@
+/* ----------------------------------------------------------------------
+   A number that any change of some numbers, to the last bit, changes.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_FINGERPRINT_H
+#define LMP_SPH_SOLID_FINGERPRINT_H
+
+#include <cstdint>
+#include <cstring>
+
+namespace SPHSolid {
+
+class Fingerprint {
+ public:
+  explicit Fingerprint(std::uint64_t of) : hash(of) {}
+  void add(double value)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15ull;
+    hash ^= hash >> 29;
+  }
+  std::uint64_t value() const { return hash; }
+
+ private:
+  std::uint64_t hash;
+};
+
+}    // namespace SPHSolid
+
+#endif
