@@ -77,6 +77,7 @@ void FixSPHSolidDt::init()
 {
   pair = PairSPHSolid::find(lmp, "Fix sph/solid/dt");
   warned = false;
+  if (cfl == 0.0) pair->want_courant_number();
 }
 
 // a setup that continues a run keeps that run's time step until it is due

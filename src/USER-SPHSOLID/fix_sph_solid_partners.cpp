@@ -52,7 +52,7 @@ FixSPHSolidPartners::FixSPHSolidPartners(LAMMPS *lmp, int narg, char **arg) :
   comm_border = 4;
   comm_forward = 4;
   maxexchange_dynamic = 1;
-  maxpartner = 0;
+  maxpartner = nchanges = 0;
 
   grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
@@ -84,6 +84,11 @@ void FixSPHSolidPartners::init()
     error->all(FLERR, "sph/solid, frame lagrangian: a triclinic box cannot be periodic");
   if (periodic() && FixSPHSolid::drives_box(lmp))
     error->all(FLERR, "sph/solid, frame lagrangian: a periodic box cannot change its size");
+
+  if (comm->mode != Comm::SINGLE)
+    error->all(FLERR,
+               "sph/solid, frame lagrangian: ghosts have to reach the partners, as far as they are "
+               "apart: expected comm_modify mode single, found multi");
 
   // after a restart every rank knows its own rows only
   int all;
@@ -182,6 +187,7 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h)
 void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag)
 {
   drop_reused_ids();
+  nchanges++;
 
   // which ghosts are without a reference travels as a negative volume
   for (int i = 0; i < atom->nlocal; i++) {
@@ -395,6 +401,7 @@ void FixSPHSolidPartners::resolve_missing(std::vector<tagint> &missing, bool set
 
 void FixSPHSolidPartners::drop(std::vector<tagint> &gone)
 {
+  nchanges++;
   std::sort(gone.begin(), gone.end());
   gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
   for (int i = 0; i < atom->nlocal; i++) {

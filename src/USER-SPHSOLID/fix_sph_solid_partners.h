@@ -59,6 +59,9 @@ class FixSPHSolidPartners : public Fix {
   // nearest images of partners may have changed
   bool in_place() const;
 
+  // how often references or partners have changed
+  int changes() const { return nchanges; }
+
   int nown() const { return static_cast<int>(own.size()); }
   int *own_list() { return own.data(); }
   int *counts() { return count.data(); }
@@ -83,7 +86,8 @@ class FixSPHSolidPartners : public Fix {
   int *npartner;       // number of partners, -1: no reference yet
   tagint *self;        // own ID in the reference
   tagint **partner;    // their IDs, ascending
-  int maxpartner;      // columns of partner
+  int nchanges;
+  int maxpartner;    // columns of partner
   // lengths that belong to the reference: the box, 0 where it is not periodic; then h of types
   std::vector<double> lengths;
 

@@ -77,7 +77,9 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
   kept = new Ledger;
   message = Message::STRESS;
   message_of_sweeps = true;
-  displacement_time = 0.0;
+  displacement_time = courant_number = 0.0;
+  resonance_wanted = false;
+  resonance_of = -1;
   resume = resumed = warned_lost = warned_overload = logged = false;
   integrated = list_threads = 0;
   evaluated_own = evaluated_all = -1;
@@ -111,6 +113,8 @@ void PairSPHSolid::compute(int eflag, int vflag)
   const bool setup = update->setupflag != 0;
   const double dt = setup ? 0.0 : update->dt;
   if (neighbor->ago == 0) new_neighbors(setup);
+  if (setup && resonance_wanted && partners && resonance_of != partners->changes())
+    measure_resonance();
   Particles p = particles();
   const NeighborRows list = rows();
   pack_kinematics(setup);
@@ -211,6 +215,7 @@ void PairSPHSolid::delete_partners()
 {
   if (partners && modify->get_fix_by_id(PARTNERS_ID)) modify->delete_fix(PARTNERS_ID);
   partners = nullptr;
+  resonance_of = -1;
 }
 
 void PairSPHSolid::renew_reference(int groupbit)
@@ -459,7 +464,7 @@ double PairSPHSolid::time_step_limit() const
 
 double PairSPHSolid::usual_courant_number() const
 {
-  return SPHSolid::usual_courant_number(options->frame);
+  return partners ? courant_number : EULERIAN_COURANT_NUMBER;
 }
 
 std::uint64_t PairSPHSolid::numerics_mark() const

@@ -85,7 +85,9 @@ class PairSPHSolid : public Pair {
   bool moves(int) const;                      // does a fix sph/solid move own atom i?
   bool has_material(int) const;               // of own atom i: in a hybrid, others may have none
   double time_step_limit() const;             // own atoms, Courant number 1 [time]
+  // that of fix sph/solid/dt auto; want_courant_number() before a run, or it is not looked for
   double usual_courant_number() const;
+  void want_courant_number() { resonance_wanted = true; }
   std::uint64_t numerics_mark() const;    // a number that changes with the numerics
   void cauchy_stress(int, double *) const;
   double pressure(int) const;
@@ -150,6 +152,16 @@ class PairSPHSolid : public Pair {
   void report_overload();
   SPHSolid::Particles particles() const;
   SPHSolid::NeighborRows rows() const;
+  // the largest stable step of the reference, in pair_sph_solid_resonance.cpp
+  bool resonance_wanted;
+  int resonance_of;    // changes of the reference that courant_number belongs to, -1: none
+  double courant_number;
+  void measure_resonance();
+  void start_vibration(int i, double *u) const;
+  double vibration_norm(const std::vector<double> &) const;
+  void elastic_forces(const std::vector<double> &u, std::vector<double> &f);
+  void take_courant_number(double rate);
+
   void forward(SPHSolid::Message);
   void add_box_velocity(int n, int size, const int *atoms, double *buf, const int *pbc) const;
 };

@@ -98,6 +98,7 @@ void PairSPHSolid::coeff(int narg, char **arg)
     count++;
   }
   logged = false;
+  resonance_of = -1;
   if (count == 0)
     error->all(FLERR,
                "{}: a material belongs to one type: expected I = J or ranges with common "
@@ -128,7 +129,7 @@ void PairSPHSolid::init_style()
       if (setflag[i][i] && types[i].spacing > 0.0)
         log_material(lmp, i, types[i].material, types[i].h, types[i].spacing);
   logged = true;
-  warned_lost = warned_overload = false;
+  warned_lost = warned_overload = resonance_wanted = false;
 
   if (sweeps) *kept = sweeps->ledger;
   delete sweeps;

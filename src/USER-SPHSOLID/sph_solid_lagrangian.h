@@ -8,6 +8,7 @@
      sph_solid_lagrangian_rows.h        what neighbors read: messages, mirror images
      sph_solid_lagrangian_viscous.h     switch of a viscosity, acceleration correction
      sph_solid_lagrangian_heat.h        heat, virial
+     sph_solid_lagrangian_elastic.h     small vibrations about the reference
      sph_solid_sweeps_lagrangian.cpp    gradient and force
 
    Every lane has a particle of its own: a block has as many particles as there are lanes,
@@ -67,6 +68,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   bool can_keep_heat() const override;
   void add_due_heat(const Particles &, const NeighborRows &) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
+  void elastic_stress(const Particles &) override;
+  void elastic_force(const Particles &p) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
   int neighbor_count(int i) const override;
   Overload find_overload(const Particles &) const override;

@@ -46,15 +46,11 @@ struct Options {
   bool energy = true;                           // the energy equation
 };
 
-// the Courant number that fix sph/solid/dt takes with cfl auto.  Taylor rods of all
-// viscosities come to their end with 1.8 in the lagrangian frame and some begin to differ
-// with 1.5; in the eulerian one some rods whose foot tears stop with 0.6.
-// doc/fix_sph_solid_dt.rst has the runs
+// the Courant number that fix sph/solid/dt takes with cfl auto: some Taylor rods whose foot tears
+// stop with 0.6.  doc/fix_sph_solid_dt.rst has the runs.  In the lagrangian frame it follows from the
+// reference (pair_sph_solid_resonance.cpp)
 
-inline double usual_courant_number(Frame frame)
-{
-  return frame == Frame::LAGRANGIAN ? 1.0 : 0.3;
-}
+constexpr double EULERIAN_COURANT_NUMBER = 0.3;
 
 // why the lagrangian frame has come to its end at a particle
 
@@ -173,6 +169,11 @@ class Sweeps {
   virtual bool can_keep_heat() const { return false; }
   // the share that the next gradient sweep would add, to the same bits: before rows change
   virtual void add_due_heat(const Particles &, const NeighborRows &) {}
+
+  // lagrangian: linear elastic stress of the displacements that unpack() has set, about the
+  // reference, and its forces, added to p.f
+  virtual void elastic_stress(const Particles &) {}
+  virtual void elastic_force(const Particles &) {}
 
   // minus the pair forces' virial, sum of r_ij f_ij over pairs, 6 numbers
   virtual void virial(const Particles &, const NeighborRows &, double *six) = 0;

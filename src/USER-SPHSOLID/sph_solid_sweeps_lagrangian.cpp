@@ -4,6 +4,7 @@
 ------------------------------------------------------------------------- */
 
 #include "sph_solid_lagrangian.h"
+#include "sph_solid_lagrangian_elastic.h"
 #include "sph_solid_lagrangian_heat.h"
 #include "sph_solid_lagrangian_partners.h"
 #include "sph_solid_lagrangian_rows.h"

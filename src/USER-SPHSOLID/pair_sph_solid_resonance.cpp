@@ -1,0 +1,134 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+// The largest time step that the reference configuration bears, for fix sph/solid/dt auto
+
+#include "pair_sph_solid.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "fix_sph_solid_partners.h"
+#include "force.h"
+#include "sph_solid_fingerprint.h"
+#include "sph_solid_sweeps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using namespace SPHSolid;
+
+// Kick and drift are stable up to dt = 2/omega, omega the highest frequency of a body.  Inside a
+// lattice it is that of a wave of two or three spacings, which bears 1.8 to 2 h/c_L; corners, edges
+// and thin parts, where the gradient correction is large, and a light material on a heavy one bear
+// less: 0.4 to 1.6
+
+// this share of 2/omega: hourglass damping takes up to a tenth of it, plastic flow gives more
+static constexpr double SAFETY = 0.85;
+
+// and never more than this Courant number: beyond, results begin to depend on the step
+static constexpr double LARGEST_COURANT_NUMBER = 1.5;
+
+// power iteration: at least and at most so many times, or until so many times have added less
+static constexpr int LEAST_ITERATIONS = 20, MOST_ITERATIONS = 200, LOOK_BACK = 5;
+static constexpr double CONVERGED = 2.0e-3;
+
+/* ----------------------------------------------------------------------
+   The highest frequency of small elastic vibrations about the reference: omega^2 is the largest
+   eigenvalue of u -> -f(u)/m, f the forces that displacements u cause
+------------------------------------------------------------------------- */
+
+void PairSPHSolid::measure_resonance()
+{
+  const int n = atom->nlocal;
+  std::vector<double> u(3 * n, 0.0), force(3 * n);
+  for (int i = 0; i < n; i++) start_vibration(i, &u[3 * i]);
+
+  std::vector<double> rates;
+  double norm = vibration_norm(u);
+  while (norm > 0.0 && static_cast<int>(rates.size()) < MOST_ITERATIONS) {
+    for (double &value : u) value /= norm;
+    elastic_forces(u, force);
+    for (int i = 0; i < n; i++)
+      for (int k = 0; k < 3; k++)
+        u[3 * i + k] = has_material(i) ? force[3 * i + k] / atom->rmass[i] : 0.0;
+    norm = vibration_norm(u);
+    rates.push_back(norm);
+    const int done = static_cast<int>(rates.size());
+    if (done < LEAST_ITERATIONS) continue;
+    if (rates[done - 1] < (1.0 + CONVERGED) * rates[done - 1 - LOOK_BACK]) break;
+  }
+  take_courant_number(norm);
+}
+
+// anything with a share of all vibrations, the same on any number of ranks
+
+void PairSPHSolid::start_vibration(int i, double *u) const
+{
+  Fingerprint random(static_cast<std::uint64_t>(atom->tag[i]));
+  for (int k = 0; k < domain->dimension; k++) {
+    random.add(k + 1.0);
+    u[k] = static_cast<double>(random.value() >> 11) / 9007199254740992.0 - 0.5;
+  }
+}
+
+double PairSPHSolid::vibration_norm(const std::vector<double> &u) const
+{
+  double mine = 0.0, all = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (has_material(i))
+      for (int k = 0; k < 3; k++) mine += atom->rmass[i] * u[3 * i + k] * u[3 * i + k];
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return std::sqrt(all);
+}
+
+void PairSPHSolid::elastic_forces(const std::vector<double> &u, std::vector<double> &f)
+{
+  Particles p = particles();
+  std::vector<double *> rows(atom->nlocal + 1);
+  for (int i = 0; i < atom->nlocal; i++) rows[i] = &f[3 * i];
+  p.f = rows.data();
+  std::fill(f.begin(), f.end(), 0.0);
+  for (int i = 0; i < atom->nlocal; i++) sweeps->unpack(Message::DISPLACEMENT, p, i, &u[3 * i]);
+  displacement_time = 0.0;
+  forward(Message::DISPLACEMENT);
+  sweeps->elastic_stress(p);
+  forward(Message::STRESS);
+  sweeps->mirror_stress();
+  sweeps->elastic_force(p);
+}
+
+// rate: omega^2.  In three digits, so that it does not depend on the order of sums
+
+void PairSPHSolid::take_courant_number(double rate)
+{
+  double mine = HUGE_VAL, h_over_c = HUGE_VAL;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!has_material(i)) continue;
+    const TypeData &type = types[atom->type[i]];
+    mine = std::min(mine, type.h / type.material.longitudinal_speed());
+  }
+  MPI_Allreduce(&mine, &h_over_c, 1, MPI_DOUBLE, MPI_MIN, world);
+  const double stable = 2.0 / (std::sqrt(rate * force->ftm2v) * h_over_c);
+  courant_number = LARGEST_COURANT_NUMBER;
+  if (std::isfinite(stable))
+    courant_number = std::min(courant_number, std::floor(1000.0 * SAFETY * stable) / 1000.0);
+  resonance_of = partners->changes();
+  if (comm->me == 0)
+    utils::logmesg(lmp,
+                   "sph/solid: the reference is stable up to a Courant number of {:.4g}, fix "
+                   "sph/solid/dt auto takes {:.4g}\n",
+                   stable, courant_number);
+}
