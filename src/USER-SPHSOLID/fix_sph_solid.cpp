@@ -181,6 +181,7 @@ void FixSPHSolid::keep_due()
 
 void FixSPHSolid::take_up_due()
 {
+  if (due.empty()) return;
   std::vector<double> energy(atom->nlocal + 1, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
     const std::pair<tagint, double> first(atom->tag[i], -HUGE_VAL);

@@ -28,6 +28,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "npair.h"
+#include "nstencil.h"
 #include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
 #include "sph_solid_fingerprint.h"
@@ -165,6 +166,8 @@ void PairSPHSolid::new_neighbors(bool setup)
     if (!setup && partners->in_place()) return;
     if (setup) partners->require_same(smoothing_lengths());
     if (setup && partners->anyone_without()) {
+      // LAMMPS keeps the stencil of bins that have become others in the same step
+      if (list->np && list->np->ns) list->np->ns->last_stencil = -1;
       neighbor->build_one(list);
       partners->refer(list, cutsq, setflag);
       empty_list();
