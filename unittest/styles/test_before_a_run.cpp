@@ -1,0 +1,207 @@
+/* ----------------------------------------------------------------------
+   What a user may have overlooked: a run warns of it or refuses to start, and says what to do.
+------------------------------------------------------------------------- */
+
+#include "lagrangian_block.h"
+
+using namespace sphsolid_test;
+
+namespace {
+
+const std::vector<std::string> FRAMES = {"eulerian", "lagrangian"};
+
+Block small(const std::string &frame)
+{
+  Block b = body();
+  b.frame = frame;
+  return b;
+}
+
+std::string log_of(const std::string &script)
+{
+  Session s;
+  s(script);
+  s("run 1");
+  return s.log();
+}
+
+/* ----------------------------------------------------------------------
+   warnings
+------------------------------------------------------------------------- */
+
+const char IDLE[] = "have a velocity and no fix moves them";
+
+std::string clamped(const std::string &frame, const std::string &more)
+{
+  Block b = small(frame);
+  b.motion += "region low block INF INF INF 1.5 INF INF\ngroup low region low\n"
+              "group free subtract all low\n" +
+      more;
+  b.fixes = "fix move free sph/solid\nfix step all sph/solid/dt 1 0.3\n";
+  return b.script();
+}
+
+TEST(WarnsBeforeARun, OfClampedParticlesWithAVelocity)
+{
+  for (const std::string &frame : FRAMES) {
+    const std::string log = log_of(clamped(frame, "velocity low set 0 -200 0 units box\n"));
+    EXPECT_THAT(log, HasSubstr(std::string("WARNING: sph/solid: 12 particles ") + IDLE)) << frame;
+  }
+}
+
+TEST(WarnsBeforeARun, NotOfAClampAtRest)
+{
+  for (const std::string &frame : FRAMES)
+    EXPECT_THAT(log_of(clamped(frame, "velocity low set 0 0 0\n")), Not(HasSubstr("WARNING")));
+}
+
+TEST(WarnsBeforeARun, NotOfVelocitiesThatAnotherFixActsOn)
+{
+  for (const std::string &frame : FRAMES) {
+    Session s;
+    s(clamped(frame, "velocity low set 0 -200 0 units box\n"));
+    s("unfix step\ntimestep 1e-8\nfix grip low move linear 0 -200 0 units box\nrun 1");
+    EXPECT_THAT(s.log(), Not(HasSubstr("WARNING"))) << frame;
+  }
+}
+
+const char MASSES[] = "is less than half or more than twice their volume times the density";
+
+TEST(WarnsBeforeARun, OfMassesOfAnotherAtomStyle)
+{
+  Block b = body();
+  b.style = "hybrid sph/solid sphere";    // its particles are born with a mass
+  EXPECT_THAT(log_of(b.script()),
+              HasSubstr(std::string("WARNING: sph/solid: the mass of 48 particles ") + MASSES));
+  b.motion += "set group all mass 0.00785\n";
+  EXPECT_THAT(log_of(b.script()), Not(HasSubstr(MASSES)));
+}
+
+TEST(WarnsBeforeARun, OfVolumesThatChangeAfterTheMasses)
+{
+  Session s;
+  s(body().script());
+  s("run 0");
+  EXPECT_THAT(s.log(), Not(HasSubstr("WARNING")));
+  s("set atom 1 volume 2.2e-6\nset atom 2 volume 1.8e-6\nrun 0");
+  EXPECT_THAT(s.log(),
+              HasSubstr(std::string("WARNING: sph/solid: the mass of 1 particles ") + MASSES));
+}
+
+// the kernel ends at 2h
+
+TEST(WarnsBeforeARun, OfAKernelThatEndsBeforeTheNextParticle)
+{
+  for (const std::string &frame : FRAMES) {
+    Block b = small(frame);
+    b.motion = "";
+    for (const double h : {0.45e-3, 0.8e-3}) {
+      b.h = h;
+      const auto warned = HasSubstr("WARNING: sph/solid type 1: h is 0.45 spacings");
+      if (h < 0.5e-3)
+        EXPECT_THAT(log_of(b.script()), warned) << frame;
+      else
+        EXPECT_THAT(log_of(b.script()), Not(HasSubstr("WARNING"))) << frame;
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   errors
+------------------------------------------------------------------------- */
+
+TEST(RefusedBeforeARun, TwoParticlesAtTheSamePlace)
+{
+  Block b = body();
+  b.motion += "create_atoms 1 single 0.003 0.003 0 units box\nset atom 49 volume 1e-6\n";
+  Session s;
+  s(b.script());
+  EXPECT_THAT(s.error("run 0"),
+              testing::ContainsRegex("sph/solid, frame lagrangian: particles (22 and 49|49 and 22) "
+                                     "lie at the same place"));
+}
+
+// masses follow from volumes in the first run: commands that divide by them are too early before
+
+TEST(RefusedBeforeARun, VelocitiesThatAreNotNumbers)
+{
+  for (const std::string &frame : FRAMES) {
+    Block b = small(frame);
+    b.motion = "velocity all create 1e20 1234\n";
+    Session s;
+    s(b.script());
+    EXPECT_THAT(s.error("run 1"), HasSubstr("'run 0'")) << frame;
+  }
+}
+
+TEST(RefusedBeforeARun, NotVelocitiesCreatedAfterAFirstRun)
+{
+  for (const std::string &frame : FRAMES) {
+    Block b = small(frame);
+    b.motion = "";
+    Session s;
+    s(b.script());
+    // 48 particles in two dimensions without their common motion: m v^2/2 is kB T per particle
+    s("run 0\nvelocity all create 1e20 1234\nrun 0");
+    EXPECT_NEAR(s.value("ke"), 47.0 * 1.3806504e-23 * 1.0e20, 1.0e-6) << frame;
+    s("run 1");
+  }
+}
+
+/* ----------------------------------------------------------------------
+   a fix that asks once whether there is an atom map, as it is defined
+------------------------------------------------------------------------- */
+
+const std::string BALANCE = "fix even all balance 10 1.0 shift xy 5 1.0\n";
+
+std::string without_map(const std::string &frame, bool balance_first)
+{
+  const Block b = small(frame);
+  std::string script = b.particles() + (balance_first ? BALANCE : "") + b.interaction() +
+      (balance_first ? "" : BALANCE) + b.motion + b.fixes;
+  const std::string map = "atom_modify map array\n";
+  return script.erase(script.find(map), map.size());
+}
+
+TEST(FixBalance, BeforeThePairStyleNeedsAnAtomMap)
+{
+  Session s;
+  EXPECT_THAT(s.error(without_map("lagrangian", true) + "run 1"), HasSubstr("atom_modify map yes"));
+}
+
+TEST(FixBalance, BehindThePairStyleRuns)
+{
+  Session s;
+  s(without_map("lagrangian", false));
+  s("run 40");
+  EXPECT_THAT(s.log(), HasSubstr("sph/solid: switched on an atom map"));
+  EXPECT_LT(largest_difference(run(body()), s.state()), 1.0e-12);
+}
+
+TEST(FixBalance, NeedsNoMapInTheEulerianFrame)
+{
+  Session s;
+  s(without_map("eulerian", true));
+  s("run 20");
+  EXPECT_LT(largest_difference(run(small("eulerian"), "run 20"), s.state()), 1.0e-12);
+}
+
+/* ----------------------------------------------------------------------
+   a body that is one spacing away from a symmetry plane is a body and its image: what it lands on
+   is a partner
+------------------------------------------------------------------------- */
+
+TEST(SymmetryPlane, LandingOnAnImageEndsARun)
+{
+  Block b = body();
+  b.motion = "displace_atoms all move 0 0.001 0 units box\nvelocity all set 0 -200 0 units box\n";
+  b.fixes = "fix move all sph/solid\nfix step all sph/solid/dt 10 auto\n"
+            "fix floor all sph/solid/wall ylo 0 symmetry\ncompute e all sph/solid/energy\n"
+            "compute low all reduce min y\nthermo_style custom step c_e c_low\nthermo 1\n";
+  Session s;
+  s(b.script());
+  EXPECT_THAT(s.error("run 3000"), HasSubstr("it lies on a partner"));
+  EXPECT_THAT(s.log(), Not(testing::ContainsRegex("[^a-z]-?nan[^a-z]")));
+}
+
+}    // namespace

@@ -1,0 +1,330 @@
+/* ----------------------------------------------------------------------
+   Commands between two runs: what partners in the Lagrangian frame rely on cannot change behind
+   their back, and a run that does not continue the last one loses no energy and no momentum.
+------------------------------------------------------------------------- */
+
+#include "answers.h"
+#include "lagrangian_block.h"
+
+using namespace sphsolid_test;
+
+namespace {
+
+struct Momentum {
+  double x, y, size;    // the two components, and what they would be without signs
+};
+
+Momentum momentum(const State &state, int first = 1, int last = 1 << 30)
+{
+  Momentum sum = {0.0, 0.0, 0.0};
+  for (const Particle &p : state) {
+    if (p.id < first || p.id > last) continue;
+    sum.x += p.mass * p.v[0];
+    sum.y += p.mass * p.v[1];
+    sum.size += p.mass * std::hypot(p.v[0], p.v[1]);
+  }
+  return sum;
+}
+
+void expect_same(const Momentum &a, const Momentum &b)
+{
+  EXPECT_GT(a.size, 0.0);
+  EXPECT_NEAR(a.x, b.x, 1.0e-12 * a.size);
+  EXPECT_NEAR(a.y, b.y, 1.0e-12 * a.size);
+}
+
+/* ----------------------------------------------------------------------
+   IDs
+------------------------------------------------------------------------- */
+
+// the default of delete_atoms gives the IDs anew
+
+TEST(ChangedIds, OfDeleteAtomsAreRefused)
+{
+  Session s;
+  s(body().script());
+  s("run 20\ngroup gone id 15\ndelete_atoms group gone");
+  EXPECT_THAT(s.error("run 1"),
+              AllOf(HasSubstr("expected IDs that stay"), HasSubstr("compress no")));
+}
+
+// in the first session the partners forbid it, after a restart they are not there yet
+
+TEST(ChangedIds, OfResetAtomsAfterARestartAreRefused)
+{
+  const std::string path = file("gap.restart");
+  {
+    Session s;
+    s(body().script());
+    s("run 20\ngroup gone id 15\ndelete_atoms group gone compress no\nwrite_restart " + path);
+  }
+  Session s;
+  s("read_restart " + path + "\nreset_atoms id\n" + NEIGHBOR + MOVE);
+  EXPECT_THAT(s.error("run 1"), HasSubstr("expected IDs that stay"));
+}
+
+// one inside, one on a corner, and the one with the highest ID
+
+class DeletedParticle : public testing::TestWithParam<int> {};
+
+TEST_P(DeletedParticle, LeavesTheMomentumOfTheOthers)
+{
+  Session s;
+  s(body().script());
+  s("compute n all sph/solid/atom neigh\nrun 20\ngroup gone id " + std::to_string(GetParam()) +
+    "\ndelete_atoms group gone compress no");
+  const Momentum before = momentum(s.state());
+  s("run 60");
+  EXPECT_THAT(s.log(), HasSubstr("sph/solid: 1 particles are gone"));
+  const State after = s.state();
+  ASSERT_EQ(after.size(), 47u);
+  expect_same(before, momentum(after));
+  double forces = 0.0;
+  for (const Particle &p : after) forces = std::max(forces, std::fabs(p.f[1]));
+  EXPECT_GT(forces, 1.0e4);    // of particles that still hold together: 10 MPa x 1 mm
+}
+
+INSTANTIATE_TEST_SUITE_P(Ids, DeletedParticle, testing::Values(15, 1, 48), [](const auto &info) {
+  return "id" + std::to_string(info.param);
+});
+
+// the last row is deleted, and a new one gets its IDs and its place
+
+State after_deleting_the_last_row(const std::string &more,
+                                  std::map<int, double> *neighbors = nullptr)
+{
+  Block b = body();
+  b.fixes = "fix move all sph/solid\ntimestep 3e-8\n";
+  Session s;
+  s(b.script());
+  s("compute n all sph/solid/atom neigh\nrun 20\ngroup gone id 43:48\n"
+    "delete_atoms group gone compress no\n" +
+    more + "run 0");
+  if (neighbors) *neighbors = s.per_atom("n");
+  s("run 40");
+  return s.state();
+}
+
+TEST(ReusedIds, AreOfANewBody)
+{
+  const std::string row = "region row block -0.1 5.1 6.9 7.1 -0.1 0.1\ncreate_atoms 1 region row\n"
+                          "group row id 43:48\nset group row volume 1e-6\n"
+                          "velocity row set 50 -50 0 units box\n";
+  std::map<int, double> neighbors;
+  const State with = after_deleting_the_last_row(row, &neighbors);
+  const State without = after_deleting_the_last_row("");
+  ASSERT_EQ(with.size(), 48u);
+  ASSERT_EQ(without.size(), 42u);
+
+  // h = 1.3 spacings: a row of six sees two to each side, and nothing of the body below
+  const int in_a_row[6] = {2, 3, 4, 4, 3, 2};
+  for (int k = 0; k < 6; k++) EXPECT_EQ(neighbors[43 + k], in_a_row[k]);
+
+  // nothing of the row acts on the body, and nothing of the body on the row
+  EXPECT_LT(largest_difference(State(with.begin(), with.begin() + 42), without), 1.0e-13);
+  const double each = RHO0 * 1.0e-6 * 50.0;
+  expect_same(momentum(with, 43, 48), {6.0 * each, -6.0 * each, 6.0 * std::sqrt(2.0) * each});
+}
+
+/* ----------------------------------------------------------------------
+   smoothing length
+------------------------------------------------------------------------- */
+
+std::string interaction_with(double h)
+{
+  Block b = body();
+  b.h = h;
+  return b.interaction();
+}
+
+const char OTHER_H[] = "the smoothing length of type 1 is 0.00145 and was 0.0013 in the reference";
+
+TEST(ChangedSmoothingLength, IsRefused)
+{
+  Session s;
+  s(body().script());
+  s("run 20\n" + interaction_with(1.45e-3));
+  EXPECT_THAT(s.error("run 1"), HasSubstr(OTHER_H));
+}
+
+TEST(ChangedSmoothingLength, IsRefusedAfterARestart)
+{
+  const std::string path = file("h.restart");
+  {
+    Session s;
+    s(body().script());
+    s("run 20\nwrite_restart " + path);
+  }
+  Session s;
+  s("read_restart " + path + "\n" + interaction_with(1.45e-3) + MOVE);
+  EXPECT_THAT(s.error("run 1"), HasSubstr(OTHER_H));
+}
+
+TEST(ChangedSmoothingLength, IsTakenWithANewReference)
+{
+  for (const bool renew_first : {false, true}) {
+    const std::string h = interaction_with(1.45e-3), renew = "fix_modify move reference renew\n";
+    Session s;
+    s(body().script());
+    s("compute n all sph/solid/atom neigh\nrun 1");
+    EXPECT_EQ(s.per_atom("n")[1], 7.0);    // a corner: others of 3 x 3, without the far corner
+    s((renew_first ? renew + h : h + renew) + "run 1");
+    EXPECT_EQ(s.per_atom("n")[1], 8.0);    // with it: 2.83 spacings away, the kernel ends at 2.9
+    s("run 20");
+  }
+}
+
+TEST(SamePairStyleCommand, BetweenRunsChangesNothing)
+{
+  Session s;
+  s(body().script());
+  s("run 20\n" + body().interaction() + "run 20");
+  expect_bitwise(run(body(), "run 40"), s.state());
+}
+
+TEST(SamePairStyleCommand, AfterARestartChangesNothing)
+{
+  const std::string path = file("same.restart");
+  {
+    Session s;
+    s(body().script());
+    s("run 20\nwrite_restart " + path);
+  }
+  Session s;
+  s("read_restart " + path + "\n" + body().interaction() + MOVE + "run 20");
+  expect_bitwise(run(body(), "run 40"), s.state());
+}
+
+/* ----------------------------------------------------------------------
+   box
+------------------------------------------------------------------------- */
+
+Block bar()
+{
+  Block b = body();
+  b.boundary = "p f";
+  b.box = "0 0.012 -0.04 0.04";
+  b.nx = 12;
+  b.ny = 5;
+  b.motion = "variable vy atom 2e4*(y-0.002)\nvelocity all set 10 v_vy 0 units box\n";
+  return b;
+}
+
+class ChangedBox : public testing::TestWithParam<Case> {};
+
+TEST_P(ChangedBox, IsRefused)
+{
+  Session s;
+  s(bar().script());
+  s("run 20\n" + GetParam().input);
+  EXPECT_THAT(s.error("run 1"), HasSubstr(GetParam().message));
+}
+
+// LAMMPS itself refuses to change the box before the file has been used up
+
+TEST_P(ChangedBox, IsRefusedAfterARestart)
+{
+  const std::string path = file("box.restart");
+  {
+    Session s;
+    s(bar().script());
+    s("run 20\nwrite_restart " + path);
+  }
+  Session s;
+  s("read_restart " + path + "\n" + NEIGHBOR + MOVE + "run 0\n" + GetParam().input);
+  EXPECT_THAT(s.error("run 1"), HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, ChangedBox,
+    testing::Values(Case{"Longer", "change_box all x final 0 0.0125 units box",
+                         "the length of the box along x (0: not periodic) is 0.0125 and was 0.012"},
+                    Case{"Remapped", "change_box all x scale 0.99 remap",
+                         "the length of the box along x (0: not periodic) is 0.01188 and was "},
+                    Case{"NotPeriodicAnyMore", "change_box all boundary f f p",
+                         "the length of the box along x (0: not periodic) is 0 and was 0.012"}),
+    name_of);
+
+TEST(ChangedBoxAcrossFreeFaces, ChangesNothing)
+{
+  Session s;
+  s(bar().script());
+  s("run 20\nchange_box all y final -0.05 0.06 units box\nrun 20");
+  expect_bitwise(run(bar(), "run 40"), s.state());
+}
+
+/* ----------------------------------------------------------------------
+   a run that does not continue the last one.  The stored internal energy is half a step behind;
+   that half step must not get lost.  In this body it is 0.4 % of all energy, which is far more
+   than what is allowed here.  One particle is at rest far away
+------------------------------------------------------------------------- */
+
+class NotContinued : public testing::TestWithParam<Case> {
+ protected:
+  static std::string script(const std::string &frame)
+  {
+    Block b = body();
+    b.frame = frame;
+    b.motion += "create_atoms 1 single 0.03 0.03 0 units box\ngroup far id 49\n"
+                "set group far volume 1e-6\nvelocity far set 0 0 0 units box\n";
+    b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n"
+              "thermo_style custom step pe c_e c_e[2]\n";
+    return b.script();
+  }
+  static std::vector<std::string> frames() { return {"lagrangian", "eulerian"}; }
+};
+
+TEST_P(NotContinued, KeepsTheEnergy)
+{
+  for (const std::string &frame : frames()) {
+    SCOPED_TRACE(frame);
+    Session s;
+    s(script(frame));
+    s("run 20");
+    const double before = s.value("c_e");
+    s(GetParam().input + "\nrun 0");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-8 * before);
+    s("run 20");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-8 * before);
+  }
+}
+
+// the pair energy is the stored one, and the energy of the compute has the half step in addition
+
+TEST_P(NotContinued, HasNoHeatToCome)
+{
+  for (const std::string &frame : frames()) {
+    SCOPED_TRACE(frame);
+    Session s;
+    s(script(frame));
+    s("run 20");
+    EXPECT_GT(std::fabs(s.value("c_e[2]") - s.value("pe")), 1.0e-4 * s.value("pe"));
+    s(GetParam().input + "\nrun 0");
+    EXPECT_NEAR(s.value("c_e[2]"), s.value("pe"), 1.0e-12 * s.value("pe"));
+  }
+}
+
+TEST_P(NotContinued, KeepsTheMomentum)
+{
+  for (const std::string &frame : frames()) {
+    SCOPED_TRACE(frame);
+    Session s;
+    s(script(frame));
+    s("run 20\n" + GetParam().input);
+    const Momentum before = momentum(s.state());
+    s("run 20");
+    expect_same(before, momentum(s.state()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    After, NotContinued,
+    testing::Values(Case{"AVelocity",
+                         "group one id 20\nvelocity one set 1e-6 0 0 sum yes units box", ""},
+                    Case{"AnotherFix", "unfix move\nfix move all sph/solid", ""},
+                    Case{"ADeletedParticle", "delete_atoms group far compress no", ""},
+                    Case{"ADisplacement", "displace_atoms all move 0.001 0 0 units box", ""},
+                    Case{"ADensity", "set group far sph/rho 7850.001", ""}),
+    name_of);
+
+}    // namespace

@@ -1,0 +1,214 @@
+/* ----------------------------------------------------------------------
+   Bodies in pair style hybrid are those of the pair style alone: in three dimensions, where messages
+   to ghosts are longest, and at symmetry planes.
+------------------------------------------------------------------------- */
+
+#include "session.h"
+
+using namespace sphsolid_test;
+
+namespace {
+
+const std::vector<std::string> FRAMES = {"eulerian", "lagrangian"};
+
+void replace(std::string &text, const std::string &what, const std::string &by)
+{
+  const auto at = text.find(what);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, what.size(), by);
+}
+
+// the same input with a hybrid, alone or with a second style that does nothing
+
+std::string in_hybrid(const Block &b, const std::string &second = "")
+{
+  std::string text = b.script(), after;
+  const std::string line = "pair_style sph/solid ";
+  const auto end = text.find('\n', text.find(line));
+  if (!second.empty()) text.insert(end, " " + second + " 2e-3");
+  replace(text, line,
+          (second.empty() ? "pair_style hybrid " : "pair_style hybrid/overlay ") +
+              std::string("sph/solid "));
+  replace(text, "pair_coeff * * ",
+          (second.empty() ? "" : "pair_coeff * * " + second + "\n") +
+              std::string("pair_coeff * * sph/solid "));
+  return text;
+}
+
+const std::string ENERGY = "compute e all sph/solid/energy\nthermo_style custom step c_e\n";
+
+struct Result {
+  State state;
+  double energy;
+};
+
+Result result(const std::string &script, const std::string &steps)
+{
+  Session s;
+  s(script);
+  s(ENERGY + steps);
+  return {s.state(), s.value("c_e")};
+}
+
+void expect_equal(const Result &a, const Result &b)
+{
+  EXPECT_LT(largest_difference(a.state, b.state), 1.0e-12);
+  EXPECT_NEAR(a.energy, b.energy, 1.0e-12 * a.energy);
+}
+
+/* ----------------------------------------------------------------------
+   a block that is periodic in x and y, so that most particles have ghosts
+------------------------------------------------------------------------- */
+
+Block deep(const std::string &frame, const std::string &options)
+{
+  Block b;
+  b.boundary = "p p";
+  b.box = "0 0.012 0 0.012";
+  b.nx = b.ny = 12;
+  b.nz = 5;
+  b.frame = frame;
+  b.options = options;
+  b.motion = "variable vx atom 50*sin(2*PI*y/0.012)\nvariable vz atom 2e4*(z-0.002)\n"
+             "velocity all set v_vx 20 v_vz units box\n";
+  return b;
+}
+
+TEST(HybridBody, MovesInThreeDimensionsAsWithout)
+{
+  for (const std::string &frame : FRAMES)
+    for (const char *options : {"", "viscosity limited 1 1", "viscosity front"}) {
+      SCOPED_TRACE(frame + " " + options);
+      const Block b = deep(frame, options);
+      const Result plain = result(b.script(), "run 5");
+      double force = 0.0;
+      for (const Particle &p : plain.state) force = std::max(force, std::fabs(p.f[2]));
+      EXPECT_GT(force, 1.0);    // 1 MPa x 1 mm^2
+      expect_equal(plain, result(in_hybrid(b), "run 5"));
+    }
+}
+
+TEST(HybridBody, MovesInThreeDimensionsAsWithoutBesideAnotherStyle)
+{
+  for (const std::string &frame : FRAMES) {
+    SCOPED_TRACE(frame);
+    const Block b = deep(frame, "tensile artificial 0.3 4");
+    const Block l = deep(frame, "");
+    const Block &one = frame == "eulerian" ? b : l;    // the Lagrangian frame needs no such stress
+    expect_equal(result(one.script(), "run 5"), result(in_hybrid(one, "zero"), "run 5"));
+  }
+}
+
+/* ----------------------------------------------------------------------
+   a block flies into a symmetry plane half a spacing below it
+------------------------------------------------------------------------- */
+
+Block mirrored(const std::string &frame)
+{
+  Block b;
+  b.nx = 8;
+  b.ny = 10;
+  b.frame = frame;
+  b.fixes = MOVE + "fix floor all sph/solid/wall ylo -0.0005 symmetry\n";
+  return b;
+}
+
+TEST(HybridBody, SeesSymmetryPlanesAsWithout)
+{
+  for (const std::string &frame : FRAMES) {
+    SCOPED_TRACE(frame);
+    const Block b = mirrored(frame);
+    const Result plain = result(b.script(), "run 60");
+    EXPECT_GT(plain.state[3].v[1], -100.0);    // the plane has stopped the lowest row
+    expect_equal(plain, result(in_hybrid(b), "run 60"));
+    expect_equal(plain, result(in_hybrid(b, "zero"), "run 60"));
+  }
+}
+
+// images are neighbors: a body on the plane has no face there
+
+TEST(HybridBody, CountsImagesAsNeighbors)
+{
+  for (const std::string &frame : FRAMES) {
+    Session s;
+    s(in_hybrid(mirrored(frame)));
+    s("compute n all sph/solid/atom neigh\nrun 0");
+    // inside 20 within 2.6 spacings: all of 5 x 5 without the corners; below are 3 rows of images,
+    // of which the third is 3 spacings away
+    EXPECT_EQ(s.per_atom("n")[4], 20.0) << frame;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   particles of another style
+------------------------------------------------------------------------- */
+
+std::string with_stranger(const std::string &fixes)
+{
+  return "units si\ndimension 2\nboundary f f p\natom_style sph/solid\natom_modify map array\n"
+         "region box block -0.04 0.04 -0.04 0.04 -0.0005 0.0005\ncreate_box 2 box\n"
+         "lattice sq 0.001\nregion body block -0.1 3.1 -0.1 3.1 -0.1 0.1\n"
+         "create_atoms 1 region body\ncreate_atoms 2 single 0.02 0.02 0 units box\n"
+         "set type 1 volume 1e-6\n"
+         "pair_style hybrid sph/solid 1.3e-3 frame " +
+      frame_under_test() + " zero 3e-3\npair_coeff 1 1 sph/solid " + IRON +
+      "pair_coeff 1*2 2 zero\n" + NEIGHBOR + "timestep 1e-8\n" + fixes;
+}
+
+TEST(HybridBody, RefusesToMoveParticlesWithoutMass)
+{
+  Session s;
+  s(with_stranger("fix move all sph/solid\n"));
+  EXPECT_THAT(s.error("run 1"),
+              HasSubstr("Fix sph/solid move: particle 17 of type 2 has mass 0: expected one > 0"));
+}
+
+TEST(HybridBody, NeedsNoMassOfParticlesThatStay)
+{
+  Session s;
+  s(with_stranger("group body type 1\nfix move body sph/solid\n"));
+  s("run 5");
+  EXPECT_EQ(s.particle(17).x[0], 0.02);
+}
+
+TEST(HybridBody, MovesParticlesOfAnotherStyleWithAMass)
+{
+  Session s;
+  s(with_stranger("set type 2 mass 0.1\ngroup other type 2\n"
+                  "velocity other set 10 0 0 units box\nfix move all sph/solid\n"));
+  s("run 5");
+  EXPECT_NEAR(s.particle(17).x[0], 0.02 + 5 * 1.0e-8 * 10.0, 1.0e-15);
+}
+
+/* ----------------------------------------------------------------------
+   energies
+------------------------------------------------------------------------- */
+
+TEST(EnergyPerAtom, SumsUpToThePairEnergy)
+{
+  for (const std::string &frame : FRAMES)
+    for (const bool hybrid : {false, true}) {
+      SCOPED_TRACE(frame + (hybrid ? " in a hybrid" : ""));
+      Block b;
+      b.nx = 8;
+      b.ny = 10;
+      b.frame = frame;
+      b.fixes += "fix floor all sph/solid/wall ylo 0\n";
+      Session s;
+      s(hybrid ? in_hybrid(b) : b.script());
+      s("compute one all pe/atom\ncompute sum all reduce sum c_one\n"
+        "thermo_style custom step pe c_sum\nrun 40");
+      const double energy = s.value("pe");
+      EXPECT_GT(energy, 1.0);    // of 12.5 kJ per unit width of moving iron
+      EXPECT_NEAR(s.value("c_sum"), energy, 1.0e-12 * energy);
+      double sum = 0.0;
+      const std::map<int, double> one = s.per_atom("one");
+      for (const Particle &p : s.state()) {
+        EXPECT_DOUBLE_EQ(one.at(static_cast<int>(p.id)), p.mass * p.e);
+        sum += p.mass * p.e;
+      }
+      EXPECT_NEAR(sum, energy, 1.0e-12 * energy);
+    }
+}
+
+}    // namespace
