@@ -105,13 +105,15 @@ State after_deleting_the_last_row(const std::string &more,
   return s.state();
 }
 
+const std::string NEW_ROW =
+    "region row block -0.1 5.1 6.9 7.1 -0.1 0.1\ncreate_atoms 1 region row\n"
+    "group row id 43:48\nset group row volume 1e-6\n"
+    "velocity row set 50 -50 0 units box\n";
+
 TEST(ReusedIds, AreOfANewBody)
 {
-  const std::string row = "region row block -0.1 5.1 6.9 7.1 -0.1 0.1\ncreate_atoms 1 region row\n"
-                          "group row id 43:48\nset group row volume 1e-6\n"
-                          "velocity row set 50 -50 0 units box\n";
   std::map<int, double> neighbors;
-  const State with = after_deleting_the_last_row(row, &neighbors);
+  const State with = after_deleting_the_last_row(NEW_ROW, &neighbors);
   const State without = after_deleting_the_last_row("");
   ASSERT_EQ(with.size(), 48u);
   ASSERT_EQ(without.size(), 42u);
@@ -172,6 +174,55 @@ TEST(ChangedSmoothingLength, IsTakenWithANewReference)
     EXPECT_EQ(s.per_atom("n")[1], 8.0);    // with it: 2.83 spacings away, the kernel ends at 2.9
     s("run 20");
   }
+}
+
+// a reference that is renewed in the step in which it has been made: its partners are found by a
+// neighbor list of that step, in bins of another size
+
+class NewReferenceInTheSameStep : public testing::TestWithParam<Case> {};
+
+TEST_P(NewReferenceInTheSameStep, FindsAllPartners)
+{
+  Session s;
+  s(body().script());
+  s("compute n all sph/solid/atom neigh\nrun 0");
+  const std::map<int, double> before = s.per_atom("n");
+  s("fix_modify move reference renew\n" + GetParam().input + "\nrun 0");
+  EXPECT_EQ(before, s.per_atom("n"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    After, NewReferenceInTheSameStep,
+    testing::Values(Case{"Nothing", "", ""}, Case{"AnotherSkin", "neighbor 0.002 bin", ""},
+                    Case{"ASmallSkin", "neighbor 0.00001 bin", ""},
+                    Case{"AnotherBox", "change_box all x final -0.0401 0.0489 units box", ""},
+                    Case{"ALittleMoreH", interaction_with(1.35e-3), ""}),
+    name_of);
+
+TEST(NewReference, BeforeTheFirstRunChangesNothing)
+{
+  expect_bitwise(run(body(), "run 40"), run(body(), "fix_modify move reference renew\nrun 40"));
+}
+
+TEST(NewReference, AfterARestartIsThatOfTheSamePlaces)
+{
+  const std::string path = file("renew.restart");
+  State straight;
+  {
+    Session s;
+    s(body().script());
+    s("run 20\nwrite_restart " + path + "\nrun 0\nfix_modify move reference renew\nrun 0");
+    straight = s.state();
+  }
+  Session s;
+  s("read_restart " + path + "\n" + NEIGHBOR + MOVE + "fix_modify move reference renew\nrun 0");
+  const State after = s.state();
+  ASSERT_EQ(after.size(), straight.size());
+  for (std::size_t i = 0; i < after.size(); i++)
+    for (int k = 0; k < 3; k++) {
+      EXPECT_EQ(after[i].x[k], straight[i].x[k]);
+      EXPECT_EQ(after[i].v[k], straight[i].v[k]);
+    }
 }
 
 TEST(SamePairStyleCommand, BetweenRunsChangesNothing)
