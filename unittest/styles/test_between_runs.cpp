@@ -128,6 +128,18 @@ TEST(ReusedIds, AreOfANewBody)
   expect_same(momentum(with, 43, 48), {6.0 * each, -6.0 * each, 6.0 * std::sqrt(2.0) * each});
 }
 
+// the row of particles whose IDs have been those of others begins without the heat of those
+
+TEST(ReusedIds, AreBornCold)
+{
+  const State state = after_deleting_the_last_row(NEW_ROW);
+  for (int i = 42; i < 48; i++) {
+    EXPECT_EQ(state[i].e, 0.0);
+    EXPECT_EQ(state[i].v[0], 50.0);
+    EXPECT_EQ(state[i].v[1], -50.0);
+  }
+}
+
 /* ----------------------------------------------------------------------
    smoothing length
 ------------------------------------------------------------------------- */
@@ -370,12 +382,52 @@ TEST_P(NotContinued, KeepsTheMomentum)
 
 INSTANTIATE_TEST_SUITE_P(
     After, NotContinued,
-    testing::Values(Case{"AVelocity",
-                         "group one id 20\nvelocity one set 1e-6 0 0 sum yes units box", ""},
-                    Case{"AnotherFix", "unfix move\nfix move all sph/solid", ""},
-                    Case{"ADeletedParticle", "delete_atoms group far compress no", ""},
-                    Case{"ADisplacement", "displace_atoms all move 0.001 0 0 units box", ""},
-                    Case{"ADensity", "set group far sph/rho 7850.001", ""}),
+    testing::Values(
+        Case{"AVelocity", "group one id 20\nvelocity one set 1e-6 0 0 sum yes units box", ""},
+        Case{"AnotherFix", "unfix move\nfix move all sph/solid", ""},
+        Case{"ADeletedParticle", "delete_atoms group far compress no", ""},
+        Case{"ADisplacement", "displace_atoms all move 0.001 0 0 units box", ""},
+        Case{"AnotherMaterial",
+             "pair_coeff * * inline rho0 7850 eos mie-gruneisen 5000 1.8 1.8 shear 80e9 strength "
+             "perfect 600e6",
+             ""},
+        Case{"ADensity", "set group far sph/rho 7850.001", ""}),
     name_of);
+
+// what a restart file keeps of the heat to come
+
+TEST(NotContinuedRun, OfARestartFileKeepsTheEnergy)
+{
+  const std::string path = file("due.restart");
+  Block b = body();
+  b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n";
+  double before;
+  {
+    Session s;
+    s(b.script());
+    s("run 20");
+    before = s.value("c_e");
+    s("write_restart " + path);
+  }
+  Session s;
+  s("read_restart " + path + "\n" + NEIGHBOR + b.fixes +
+    "group one id 20\nvelocity one set 1e-6 0 0 sum yes units box\nrun 0");
+  EXPECT_NEAR(s.value("c_e"), before, 1.0e-8 * before);
+}
+
+// another mass is another energy, which stays what it is from then on
+
+TEST(NotContinuedRun, AfterAnotherMassKeepsTheEnergy)
+{
+  Block b = body();
+  b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n"
+            "thermo_style custom step c_e\n";
+  Session s;
+  s(b.script());
+  s("run 20\nset atom 20 mass 0.006\nrun 0");
+  const double before = s.value("c_e");
+  s("run 20");
+  EXPECT_NEAR(s.value("c_e"), before, 1.0e-8 * before);
+}
 
 }    // namespace
