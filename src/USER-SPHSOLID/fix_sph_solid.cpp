@@ -29,7 +29,6 @@
 #include "update.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -175,8 +174,10 @@ void FixSPHSolid::keep_due()
   std::vector<double> energy(atom->nlocal + 1);
   pending_heat(energy.data());
   due.clear();
-  for (int i = 0; i < atom->nlocal; i++) due.push_back({atom->tag[i], energy[i]});
-  std::sort(due.begin(), due.end());
+  for (int i = 0; i < atom->nlocal; i++) due.push_back({atom->tag[i], energy[i], atom->esph[i]});
+  std::sort(due.begin(), due.end(), [](const Due &a, const Due &b) {
+    return a.id < b.id;
+  });
 }
 
 void FixSPHSolid::take_up_due()
@@ -184,9 +185,12 @@ void FixSPHSolid::take_up_due()
   if (due.empty()) return;
   std::vector<double> energy(atom->nlocal + 1, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
-    const std::pair<tagint, double> first(atom->tag[i], -HUGE_VAL);
-    const auto at = std::lower_bound(due.begin(), due.end(), first);
-    if (at != due.end() && at->first == atom->tag[i]) energy[i] = at->second;
+    const auto at =
+        std::lower_bound(due.begin(), due.end(), atom->tag[i], [](const Due &a, tagint id) {
+          return a.id < id;
+        });
+    // another energy: a new particle with the ID of one that is gone, or set
+    if (at != due.end() && at->id == atom->tag[i] && at->e == atom->esph[i]) energy[i] = at->heat;
   }
   take_up(energy.data());
   due.clear();
@@ -221,7 +225,8 @@ bigint FixSPHSolid::state_fingerprint() const
     for (int k = 0; k < 3; k++) print.add(atom->v[i][k]);
     for (int k = 0; k < 3; k++) print.add(domain->periodicity[k] ? 0.0 : atom->x[i][k]);
     for (int k = 0; k < 6; k++) print.add(own->stress[i][k]);
-    for (const double value : {atom->rho[i], atom->esph[i], own->epl[i], atom->vfrac[i]})
+    for (const double value :
+         {atom->rho[i], atom->esph[i], own->epl[i], atom->vfrac[i], atom->rmass[i]})
       print.add(value);
     mine += print.value();
   }

@@ -22,7 +22,6 @@ FixStyle(sph/solid,FixSPHSolid);
 
 #include "fix.h"
 
-#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -63,7 +62,12 @@ class FixSPHSolid : public Fix {
   double *heat;            // of own atoms, scratch
   int nmax;
 
-  std::vector<std::pair<tagint, double>> due;    // between runs: heat of that half kick [energy]
+  // between runs: the heat of that half kick, of particles that had the energy e then
+  struct Due {
+    tagint id;
+    double heat, e;    // [energy], [energy/mass]
+  };
+  std::vector<Due> due;    // by IDs
 
   bigint fingerprint;    // of the state when the last run ended
 

@@ -480,6 +480,14 @@ std::uint64_t PairSPHSolid::numerics_mark() const
        {static_cast<int>(o.frame), static_cast<int>(o.viscosity), static_cast<int>(o.weights),
         static_cast<int>(o.heating), o.corrected ? 1 : 0, o.tensile ? 1 : 0, o.energy ? 1 : 0})
     print.add(value);
+  for (int t = 1; t <= atom->ntypes; t++) {
+    if (!setflag[t][t]) continue;
+    const Material &m = types[t].material;
+    for (const double value : {m.rho0, m.C, m.S, m.Gamma, m.K, m.shear, m.Y, m.H, m.h})
+      print.add(value);
+    print.add(static_cast<int>(m.eos));
+    print.add(static_cast<int>(m.strength));
+  }
   return print.value();
 }
 

@@ -13,6 +13,7 @@ int main(int argc, char **argv)
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();    // while building: without MPI
 
+  unsetenv("OMP_NUM_THREADS");    // one thread, whatever the environment says
   setenv("LAMMPS_POTENTIALS", SPHSOLID_TEST_ROOT "/potentials", 1);    // material cards by name
   MPI_Init(&argc, &argv);
   int me;

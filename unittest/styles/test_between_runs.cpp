@@ -394,27 +394,6 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ADensity", "set group far sph/rho 7850.001", ""}),
     name_of);
 
-// what a restart file keeps of the heat to come
-
-TEST(NotContinuedRun, OfARestartFileKeepsTheEnergy)
-{
-  const std::string path = file("due.restart");
-  Block b = body();
-  b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n";
-  double before;
-  {
-    Session s;
-    s(b.script());
-    s("run 20");
-    before = s.value("c_e");
-    s("write_restart " + path);
-  }
-  Session s;
-  s("read_restart " + path + "\n" + NEIGHBOR + b.fixes +
-    "group one id 20\nvelocity one set 1e-6 0 0 sum yes units box\nrun 0");
-  EXPECT_NEAR(s.value("c_e"), before, 1.0e-8 * before);
-}
-
 // another mass is another energy, which stays what it is from then on
 
 TEST(NotContinuedRun, AfterAnotherMassKeepsTheEnergy)

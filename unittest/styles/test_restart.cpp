@@ -216,7 +216,7 @@ TEST(Restart, GoesOnWithAnotherPairStyleCommand)
     s("run 50\nwrite_restart " + path);
   }
   Session s;
-  s("read_restart " + path + "\n" + NEIGHBOR + "pair_style sph/solid 1.5e-3 frame " +
+  s("read_restart " + path + "\n" + NEIGHBOR + "pair_style sph/solid 1.3e-3 frame " +
     frame_under_test() + " viscosity monaghan 1 1\npair_coeff * * " + IRON + FIXES + "run 10");
   EXPECT_EQ(s.value("step"), 60.0);
 }
