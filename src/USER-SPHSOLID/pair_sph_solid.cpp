@@ -31,7 +31,6 @@
 #include "nstencil.h"
 #include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
-#include "sph_solid_fingerprint.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
 #include "update.h"
@@ -181,6 +180,24 @@ void PairSPHSolid::new_neighbors(bool setup)
     p.id = id.data();
   }
   sweeps->new_neighbors(p, rows(), largest_cutoff() + neighbor->skin);
+}
+
+std::vector<double> PairSPHSolid::smoothing_lengths() const
+{
+  std::vector<double> h(atom->ntypes + 1, 0.0);
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (setflag[t][t]) h[t] = types[t].h;
+  return h;
+}
+
+// of the types with a material; Pair::cutforce is that of the whole pair style, and in a hybrid 0
+
+double PairSPHSolid::largest_cutoff()
+{
+  double cut = 0.0;
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (setflag[t][t]) cut = std::max(cut, init_one(t, t));
+  return cut;
 }
 
 // partners are known, and in three dimensions their neighbor list is a tenth of all memory: give its
@@ -408,203 +425,4 @@ void PairSPHSolid::unpack_forward_comm(int n, int first, double *buf)
       sweeps->unpack(message, p, first + k, &buf[k * size]);
     else
       std::copy(&buf[k * size], &buf[k * size] + size, vhalf[first + k]);
-}
-
-/* ----------------------------------------------------------------------
-   for the fixes and computes
-------------------------------------------------------------------------- */
-
-PairSPHSolid *PairSPHSolid::find(LAMMPS *lmp, const char *caller)
-{
-  auto *pair = dynamic_cast<PairSPHSolid *>(lmp->force->pair_match("sph/solid", 1));
-  if (!pair)
-    lmp->error->all(FLERR, "{} needs pair style sph/solid, once (alone or in hybrid)", caller);
-  return pair;
-}
-
-void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool book)
-{
-  const Particles p = particles();
-  const int *mask = atom->mask;
-  each_share(comm->nthreads, p.nlocal, [&](int first, int end) {
-    for (int i = first; i < end; i++) {
-      const double *v = p.v[i], *f = p.f[i];
-      const double a = (mask[i] & integrated) ? a_scale / p.mass[i] : 0.0;
-      const double u[3] = {v_scale * v[0] + a * f[0], v_scale * v[1] + a * f[1],
-                           v_scale * v[2] + a * f[2]};
-      sweeps->unpack(Message::DISPLACEMENT, p, i, u);
-    }
-  });
-  displacement_time = v_scale;
-  forward(Message::DISPLACEMENT);
-  sweeps->heat(p, rows(), heat, book);
-}
-
-bool PairSPHSolid::keep_heat(bool wanted)
-{
-  sweeps->keeps_heat = wanted && sweeps->can_keep_heat();
-  return sweeps->keeps_heat;
-}
-
-void PairSPHSolid::leave_heat(double factor, double drift)
-{
-  sweeps->due = {factor, drift};
-}
-
-void PairSPHSolid::add_left_heat()
-{
-  if (!(sweeps->due.factor > 0.0)) return;
-  comm->forward_comm();    // as if this were a step without new neighbors
-  const Particles p = particles();
-  sweeps->pack_kinematics(p, p.v);
-  sweeps->add_due_heat(p, rows());
-}
-
-double PairSPHSolid::time_step_limit() const
-{
-  return sweeps->time_step_limit(particles(), rows());
-}
-
-double PairSPHSolid::usual_courant_number() const
-{
-  return partners ? courant_number : EULERIAN_COURANT_NUMBER;
-}
-
-std::uint64_t PairSPHSolid::numerics_mark() const
-{
-  const Options &o = *options;
-  Fingerprint print(1);
-  for (const double value : {o.h, o.a1, o.a2, o.hbar, o.tensile_eps, o.tensile_n, o.hourglass})
-    print.add(value);
-  for (const int value :
-       {static_cast<int>(o.frame), static_cast<int>(o.viscosity), static_cast<int>(o.weights),
-        static_cast<int>(o.heating), o.corrected ? 1 : 0, o.tensile ? 1 : 0, o.energy ? 1 : 0})
-    print.add(value);
-  for (int t = 1; t <= atom->ntypes; t++) {
-    if (!setflag[t][t]) continue;
-    const Material &m = types[t].material;
-    for (const double value : {m.rho0, m.C, m.S, m.Gamma, m.K, m.shear, m.Y, m.H, m.h})
-      print.add(value);
-    print.add(static_cast<int>(m.eos));
-    print.add(static_cast<int>(m.strength));
-  }
-  return print.value();
-}
-
-bool PairSPHSolid::has_energy() const
-{
-  return options->energy;
-}
-
-void PairSPHSolid::require_energy(const char *what) const
-{
-  if (!options->energy)
-    error->all(FLERR, "{} needs an energy equation: expected pair_style sph/solid ... energy yes",
-               what);
-}
-
-void PairSPHSolid::require_current(const char *what) const
-{
-  if (evaluated_own != atom->nlocal || evaluated_all != atom->nlocal + atom->nghost)
-    error->all(FLERR, Error::NOLASTLINE,
-               "{} needs the forces of the last step, and a command since then has changed the "
-               "particles or their order: expected a 'run 0' before",
-               what);
-}
-
-bool PairSPHSolid::has_material(int i) const
-{
-  const int t = atom->type[i];
-  return setflag[t][t] != 0;
-}
-
-double PairSPHSolid::pressure(int i) const
-{
-  const double rho_ref = reference_density(atom->rmass[i], atom->vfrac[i]);
-  return SPHSolid::pressure(types[atom->type[i]].material, atom->rho[i], rho_ref, atom->esph[i]).P;
-}
-
-void PairSPHSolid::cauchy_stress(int i, double *six) const
-{
-  const double P = pressure(i);
-  const double *deviator = own->stress[i];
-  for (int k = 0; k < 6; k++) six[k] = deviator[k] - (k < 3 ? P : 0.0);
-}
-
-double PairSPHSolid::plastic_strain(int i) const
-{
-  return own->epl[i];
-}
-
-double PairSPHSolid::von_mises(int i) const
-{
-  const double *s = own->stress[i];
-  const double diagonal = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
-  const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  return std::sqrt(1.5 * diagonal + 3.0 * shear);
-}
-
-// distortion S:S/(4 mu) and volume change P^2/(2K), times the present volume
-
-double PairSPHSolid::elastic_energy(int i) const
-{
-  const Material &m = types[atom->type[i]].material;
-  const double *s = own->stress[i];
-  const double diagonal = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
-  const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  const double P = pressure(i);
-  const double per_volume =
-      (diagonal + 2.0 * shear) / (4.0 * m.shear) + P * P / (2.0 * m.bulk_modulus());
-  return per_volume * atom->rmass[i] / atom->rho[i];
-}
-
-double PairSPHSolid::sound_speed(int i) const
-{
-  const double rho_ref = reference_density(atom->rmass[i], atom->vfrac[i]);
-  const double c2 =
-      SPHSolid::pressure(types[atom->type[i]].material, atom->rho[i], rho_ref, atom->esph[i]).c2;
-  return std::sqrt(std::max(c2, 0.0));
-}
-
-bool PairSPHSolid::moves(int i) const
-{
-  return (atom->mask[i] & integrated) != 0;
-}
-
-std::vector<double> PairSPHSolid::smoothing_lengths() const
-{
-  std::vector<double> h(atom->ntypes + 1, 0.0);
-  for (int t = 1; t <= atom->ntypes; t++)
-    if (setflag[t][t]) h[t] = types[t].h;
-  return h;
-}
-
-// of the types with a material; Pair::cutforce is that of the whole pair style, and in a hybrid 0
-
-double PairSPHSolid::largest_cutoff()
-{
-  double cut = 0.0;
-  for (int t = 1; t <= atom->ntypes; t++)
-    if (setflag[t][t]) cut = std::max(cut, init_one(t, t));
-  return cut;
-}
-
-double PairSPHSolid::smoothing_length(int i) const
-{
-  return types[atom->type[i]].h;
-}
-
-int PairSPHSolid::neighbor_count(int i) const
-{
-  return sweeps->neighbor_count(i);
-}
-
-Ledger &PairSPHSolid::ledger()
-{
-  return sweeps ? sweeps->ledger : *kept;
-}
-
-double PairSPHSolid::memory_usage()
-{
-  return sweeps ? sweeps->memory_usage() : 0.0;
 }
