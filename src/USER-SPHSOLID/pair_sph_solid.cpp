@@ -79,7 +79,7 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
   message_of_sweeps = true;
   displacement_time = courant_number = 0.0;
   resonance_wanted = false;
-  resonance_of = -1;
+  resonance_of = 0;
   resume = resumed = warned_lost = warned_overload = logged = false;
   integrated = list_threads = 0;
   evaluated_own = evaluated_all = -1;
@@ -113,8 +113,7 @@ void PairSPHSolid::compute(int eflag, int vflag)
   const bool setup = update->setupflag != 0;
   const double dt = setup ? 0.0 : update->dt;
   if (neighbor->ago == 0) new_neighbors(setup);
-  if (setup && resonance_wanted && partners && resonance_of != partners->changes())
-    measure_resonance();
+  if (setup && resonance_wanted && partners) find_courant_number();
   Particles p = particles();
   const NeighborRows list = rows();
   pack_kinematics(setup);
@@ -235,7 +234,7 @@ void PairSPHSolid::delete_partners()
 {
   if (partners && modify->get_fix_by_id(PARTNERS_ID)) modify->delete_fix(PARTNERS_ID);
   partners = nullptr;
-  resonance_of = -1;
+  resonance_of = 0;
 }
 
 void PairSPHSolid::renew_reference(int groupbit)

@@ -154,8 +154,10 @@ class PairSPHSolid : public Pair {
   SPHSolid::NeighborRows rows() const;
   // the largest stable step of the reference, in pair_sph_solid_resonance.cpp
   bool resonance_wanted;
-  int resonance_of;    // changes of the reference that courant_number belongs to, -1: none
+  std::uint64_t resonance_of;    // mark of the bodies that courant_number belongs to, 0: none
   double courant_number;
+  std::uint64_t mark_of_bodies() const;
+  void find_courant_number();
   void measure_resonance();
   void start_vibration(int i, double *u) const;
   double vibration_norm(const std::vector<double> &) const;

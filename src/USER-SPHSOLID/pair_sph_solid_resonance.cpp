@@ -25,6 +25,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 using namespace LAMMPS_NS;
@@ -44,6 +46,34 @@ static constexpr double LARGEST_COURANT_NUMBER = 1.5;
 // power iteration: at least and at most so many times, or until so many times have added less
 static constexpr int LEAST_ITERATIONS = 20, MOST_ITERATIONS = 200, LOOK_BACK = 5;
 static constexpr double CONVERGED = 2.0e-3;
+
+// once for the same bodies: commands between runs may delete some and give others another mass or type
+
+void PairSPHSolid::find_courant_number()
+{
+  const std::uint64_t mark = mark_of_bodies();
+  if (mark == resonance_of) return;
+  measure_resonance();
+  resonance_of = mark;
+}
+
+std::uint64_t PairSPHSolid::mark_of_bodies() const
+{
+  std::uint64_t mark = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    Fingerprint print(static_cast<std::uint64_t>(atom->tag[i]));
+    for (const double value : {atom->rmass[i], atom->vfrac[i]}) print.add(value);
+    print.add(atom->type[i]);
+    mark += print.value();
+  }
+  bigint mine, all;    // the MPI stubs of a serial LAMMPS know no unsigned type
+  std::memcpy(&mine, &mark, sizeof(mine));
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  std::memcpy(&mark, &all, sizeof(mark));
+  Fingerprint with_changes(mark);
+  with_changes.add(partners->changes());
+  return with_changes.value() | 1;
+}
 
 /* ----------------------------------------------------------------------
    The highest frequency of small elastic vibrations about the reference: omega^2 is the largest
@@ -125,7 +155,6 @@ void PairSPHSolid::take_courant_number(double rate)
   courant_number = LARGEST_COURANT_NUMBER;
   if (std::isfinite(stable))
     courant_number = std::min(courant_number, std::floor(1000.0 * SAFETY * stable) / 1000.0);
-  resonance_of = partners->changes();
   if (comm->me == 0)
     utils::logmesg(lmp,
                    "sph/solid: the reference is stable up to a Courant number of {:.4g}, fix "

@@ -98,7 +98,7 @@ void PairSPHSolid::coeff(int narg, char **arg)
     count++;
   }
   logged = false;
-  resonance_of = -1;
+  resonance_of = 0;
   if (count == 0)
     error->all(FLERR,
                "{}: a material belongs to one type: expected I = J or ranges with common "
