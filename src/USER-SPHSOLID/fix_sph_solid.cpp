@@ -228,6 +228,7 @@ bigint FixSPHSolid::state_fingerprint() const
     for (const double value :
          {atom->rho[i], atom->esph[i], own->epl[i], atom->vfrac[i], atom->rmass[i]})
       print.add(value);
+    print.add(atom->type[i]);
     mine += print.value();
   }
   // as bigint: the MPI stubs of a serial LAMMPS know no unsigned type

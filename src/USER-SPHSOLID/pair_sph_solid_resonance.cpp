@@ -148,7 +148,9 @@ void PairSPHSolid::take_courant_number(double rate)
   for (int i = 0; i < atom->nlocal; i++) {
     if (!has_material(i)) continue;
     const TypeData &type = types[atom->type[i]];
-    mine = std::min(mine, type.h / type.material.longitudinal_speed());
+    // with the density that the particle has in the reference, as time_step_limit() has it
+    const double share = reference_density(atom->rmass[i], atom->vfrac[i]) / type.material.rho0;
+    mine = std::min(mine, type.h * std::sqrt(share) / type.material.longitudinal_speed());
   }
   MPI_Allreduce(&mine, &h_over_c, 1, MPI_DOUBLE, MPI_MIN, world);
   const double stable = 2.0 / (std::sqrt(rate * force->ftm2v) * h_over_c);

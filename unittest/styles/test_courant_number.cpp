@@ -171,6 +171,23 @@ TEST(CourantNumber, FollowsTheBodiesThatAreLeft)
   EXPECT_LT(strip_after("set type 1 mass 1e-4"), 0.5 * strip_after("print unchanged"));
 }
 
+// twice the mass: another speed of sound, the same number, and a step that is sqrt(2) times as long
+
+TEST(CourantNumber, DoesNotDependOnMass)
+{
+  auto of_mass = [](double mass) {
+    Session s;
+    s(elastic_block(10, 20).script());
+    s("set group all mass " + num(mass) + "\nrun 0");
+    return std::make_pair(courant_numbers(s).first, s.value("dt"));
+  };
+  const auto usual = of_mass(1.0e-3), heavy = of_mass(2.0e-3), light = of_mass(0.5e-3);
+  EXPECT_NEAR(heavy.first, usual.first, 0.002);
+  EXPECT_NEAR(light.first, usual.first, 0.002);
+  EXPECT_NEAR(heavy.second, std::sqrt(2.0) * usual.second, 2.0e-3 * usual.second);
+  EXPECT_NEAR(light.second, std::sqrt(0.5) * usual.second, 2.0e-3 * usual.second);
+}
+
 TEST(CourantNumber, IsNotLookedForUnlessWanted)
 {
   Session s;
