@@ -216,7 +216,7 @@ int FixSPHSolid::modify_param(int narg, char **arg)
 // a number that any change of a state or ID changes, and no change of order does.  Positions across
 // a periodic box change by its length in between and do not count
 
-bigint FixSPHSolid::state_fingerprint() const
+std::uint64_t FixSPHSolid::state_fingerprint() const
 {
   const auto *own = AtomVecSPHSolid::arrays(atom);
   std::uint64_t mine = 0;
@@ -231,14 +231,7 @@ bigint FixSPHSolid::state_fingerprint() const
     print.add(atom->type[i]);
     mine += print.value();
   }
-  // as bigint: the MPI stubs of a serial LAMMPS know no unsigned type
-  bigint own_sum, all;
-  std::memcpy(&own_sum, &mine, sizeof(own_sum));
-  MPI_Allreduce(&own_sum, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  std::memcpy(&mine, &all, sizeof(mine));
-  mine = (mine + pair->numerics_mark()) | 1;
-  std::memcpy(&all, &mine, sizeof(all));
-  return all;
+  return (SPHSolid::sum_over_ranks(mine, world) + pair->numerics_mark()) | 1;
 }
 
 /* ----------------------------------------------------------------------
@@ -349,7 +342,7 @@ void FixSPHSolid::pending_heat(double *out) const
 void FixSPHSolid::write_restart(FILE *fp)
 {
   double list[6] = {dt_pending, 0.0, 0.0, 0.0, 0.0, 0.0};
-  const bigint mark = pair ? state_fingerprint() : 0;
+  const std::uint64_t mark = pair ? state_fingerprint() : 0;
   std::memcpy(&list[1], &mark, sizeof(mark));
   if (pair && leading) {
     const SPHSolid::Ledger &l = pair->ledger();

@@ -22,6 +22,7 @@ FixStyle(sph/solid,FixSPHSolid);
 
 #include "fix.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -69,10 +70,10 @@ class FixSPHSolid : public Fix {
   };
   std::vector<Due> due;    // by IDs
 
-  bigint fingerprint;    // of the state when the last run ended
+  std::uint64_t fingerprint;    // of the state when the last run ended
 
   static bool drives_box(const Fix *);
-  bigint state_fingerprint() const;
+  std::uint64_t state_fingerprint() const;
   void require_masses() const;
   void keep_due();
   void take_up_due();

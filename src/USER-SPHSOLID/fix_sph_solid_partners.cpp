@@ -119,14 +119,13 @@ void FixSPHSolidPartners::widen(int n)
 
 void FixSPHSolidPartners::forget(int groupbit)
 {
-  int mine = 0, cut = 0;
+  bool cut = false;
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < npartner[i]; k++) {
       const int j = where(partner[i][k]);
-      if (j >= 0 && ((atom->mask[i] ^ atom->mask[j]) & groupbit)) mine = 1;
+      if (j >= 0 && ((atom->mask[i] ^ atom->mask[j]) & groupbit)) cut = true;
     }
-  MPI_Allreduce(&mine, &cut, 1, MPI_INT, MPI_MAX, world);
-  if (cut)
+  if (on_any_rank(cut))
     error->all(FLERR,
                "Fix_modify reference renew: the group of the fix ends inside a body: expected "
                "whole bodies");
@@ -134,13 +133,19 @@ void FixSPHSolidPartners::forget(int groupbit)
     if (atom->mask[i] & groupbit) npartner[i] = -1;
 }
 
-bool FixSPHSolidPartners::anyone_without() const
+bool FixSPHSolidPartners::on_any_rank(bool here) const
 {
-  int mine = 0, any = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] < 0) mine = 1;
+  int mine = here ? 1 : 0, any = 0;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
   return any != 0;
+}
+
+bool FixSPHSolidPartners::anyone_without() const
+{
+  bool without = false;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (npartner[i] < 0) without = true;
+  return on_any_rank(without);
 }
 
 /* ----------------------------------------------------------------------
@@ -333,11 +338,10 @@ std::vector<tagint> FixSPHSolidPartners::of_all_ranks(std::vector<tagint> &mine)
 
 void FixSPHSolidPartners::drop_reused_ids()
 {
-  int mine = 0, anyone = 0;
+  bool any = false;
   for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] > 0) mine = 1;
-  MPI_Allreduce(&mine, &anyone, 1, MPI_INT, MPI_MAX, world);
-  if (!anyone) return;    // as in a first run
+    if (npartner[i] > 0) any = true;
+  if (!on_any_rank(any)) return;    // as in a first run
 
   std::vector<tagint> own_new, reused;
   for (int i = 0; i < atom->nlocal; i++)

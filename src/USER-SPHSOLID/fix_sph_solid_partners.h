@@ -103,6 +103,7 @@ class FixSPHSolidPartners : public Fix {
   void present_partners(class NeighList *list, int ii, double **cutsq,
                         std::vector<tagint> &found) const;
   int where(tagint) const;
+  bool on_any_rank(bool) const;
   std::vector<tagint> of_all_ranks(std::vector<tagint> &mine) const;
   void drop_reused_ids();
   void resolve_missing(std::vector<tagint> &, bool setup);

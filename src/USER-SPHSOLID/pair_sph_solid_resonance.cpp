@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 using namespace LAMMPS_NS;
@@ -66,11 +65,7 @@ std::uint64_t PairSPHSolid::mark_of_bodies() const
     print.add(atom->type[i]);
     mark += print.value();
   }
-  bigint mine, all;    // the MPI stubs of a serial LAMMPS know no unsigned type
-  std::memcpy(&mine, &mark, sizeof(mine));
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  std::memcpy(&mark, &all, sizeof(mark));
-  Fingerprint with_changes(mark);
+  Fingerprint with_changes(sum_over_ranks(mark, world));
   with_changes.add(partners->changes());
   return with_changes.value() | 1;
 }

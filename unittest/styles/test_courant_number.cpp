@@ -45,6 +45,17 @@ std::pair<double, double> courant_numbers(const Session &s)
   return {std::stod(found[1]), std::stod(found[2])};
 }
 
+// with room for a second type; before the pair_style command, and from there on
+
+std::pair<std::string, std::string> of_two_types(const Block &b)
+{
+  std::string script = b.script();
+  const std::string one = "create_box 1";
+  script.replace(script.find(one), one.size(), "create_box 2");
+  const auto interaction = script.find("pair_style");
+  return {script.substr(0, interaction), script.substr(interaction)};
+}
+
 double stable(const Block &b)
 {
   Session s;
@@ -99,17 +110,10 @@ TEST(CourantNumber, ThinBodiesTakeSmallerSteps)
 
 TEST(CourantNumber, SameSpeedOfSoundAndAnotherDensity)
 {
-  Block b = elastic_block(10, 20);
-  std::string script = b.script();
-  const auto one = script.find("create_box 1");
-  ASSERT_NE(one, std::string::npos);
-  script.replace(one, 12, "create_box 2");
+  const auto [particles, interaction] = of_two_types(elastic_block(10, 20));
   Session s;
-  const auto pair_style = script.find("pair_coeff");
-  ASSERT_NE(pair_style, std::string::npos);
-  s(script.substr(0, pair_style));
-  s("region upper block INF INF 9.5 INF INF INF\nset region upper type 2\n");
-  s(script.substr(pair_style));
+  s(particles + "region upper block INF INF 9.5 INF INF INF\nset region upper type 2\n");
+  s(interaction);
   s("pair_coeff 2 2 inline rho0 1e5 eos linear 3e11 shear 1e11 strength elastic");
   s("run 0");
   const double before = s.value("ke");
@@ -152,14 +156,11 @@ TEST(CourantNumber, FollowsTheBodiesThatAreLeft)
 {
   auto strip_after = [](const std::string &command) {
     Session s;
-    Block b = elastic_block(10, 20);
-    std::string script = b.script();
-    script.replace(script.find("create_box 1"), 12, "create_box 2");
-    const auto interaction = script.find("pair_style");
-    s(script.substr(0, interaction));
+    const auto [particles, interaction] = of_two_types(elastic_block(10, 20));
+    s(particles);
     s("lattice sq 0.003\nregion strip block -12.1 -5 0 1.1 INF INF\ncreate_atoms 2 region strip\n"
       "set type 2 volume 9e-6");
-    s(script.substr(interaction));
+    s(interaction);
     s("pair_coeff 2 2 inline rho0 1000 eos linear 3e9 shear 1e9 strength elastic h 3e-3");
     s("group first type 1\nrun 5\n" + command + "\nrun 0");
     return s.value("dt");
