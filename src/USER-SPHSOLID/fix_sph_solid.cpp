@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -158,7 +159,7 @@ void FixSPHSolid::setup(int)
                "Fix sph/solid: the box changes its size or shape and moves particles without a "
                "velocity, which gives no stress: expected fix deform ... remap v");
   if (!pair->has_resumed()) dt_pending = 0.0;
-  due.clear();
+  forget_due();
 }
 
 void FixSPHSolid::post_run()
@@ -171,29 +172,39 @@ void FixSPHSolid::post_run()
 
 void FixSPHSolid::keep_due()
 {
-  std::vector<double> energy(atom->nlocal + 1);
-  pending_heat(energy.data());
-  due.clear();
-  for (int i = 0; i < atom->nlocal; i++) due.push_back({atom->tag[i], energy[i], atom->esph[i]});
-  std::sort(due.begin(), due.end(), [](const Due &a, const Due &b) {
-    return a.id < b.id;
-  });
+  due.resize(atom->nlocal);
+  due_of.resize(atom->nlocal);
+  pending_heat(due.data());
+  for (int i = 0; i < atom->nlocal; i++)
+    due_of[i] = {atom->tag[i], static_cast<float>(atom->esph[i])};
+}
+
+void FixSPHSolid::forget_due()
+{
+  std::vector<double>().swap(due);
+  std::vector<Owner>().swap(due_of);
 }
 
 void FixSPHSolid::take_up_due()
 {
   if (due.empty()) return;
+  std::vector<int> by_id(due.size());
+  std::iota(by_id.begin(), by_id.end(), 0);
+  std::sort(by_id.begin(), by_id.end(), [this](int a, int b) {
+    return due_of[a].id < due_of[b].id;
+  });
   std::vector<double> energy(atom->nlocal + 1, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
     const auto at =
-        std::lower_bound(due.begin(), due.end(), atom->tag[i], [](const Due &a, tagint id) {
-          return a.id < id;
+        std::lower_bound(by_id.begin(), by_id.end(), atom->tag[i], [this](int a, tagint id) {
+          return due_of[a].id < id;
         });
+    if (at == by_id.end() || due_of[*at].id != atom->tag[i]) continue;
     // another energy: a new particle with the ID of one that is gone, or set
-    if (at != due.end() && at->id == atom->tag[i] && at->e == atom->esph[i]) energy[i] = at->heat;
+    if (due_of[*at].e == static_cast<float>(atom->esph[i])) energy[i] = due[*at];
   }
   take_up(energy.data());
-  due.clear();
+  forget_due();
 }
 
 // fix_modify ID reference renew: the group's next run starts from the

@@ -63,12 +63,13 @@ class FixSPHSolid : public Fix {
   double *heat;            // of own atoms, scratch
   int nmax;
 
-  // between runs: the heat of that half kick, of particles that had the energy e then
-  struct Due {
+  // between runs: the heat of that half kick, and of which particles, with the energy they had then
+  struct Owner {
     tagint id;
-    double heat, e;    // [energy], [energy/mass]
+    float e;    // [energy/mass]
   };
-  std::vector<Due> due;    // by IDs
+  std::vector<double> due;    // [energy]
+  std::vector<Owner> due_of;
 
   std::uint64_t fingerprint;    // of the state when the last run ended
 
@@ -77,6 +78,7 @@ class FixSPHSolid : public Fix {
   void require_masses() const;
   void keep_due();
   void take_up_due();
+  void forget_due();
   bool moves_alone() const;
   void add_heat();
   void take_up(const double *);

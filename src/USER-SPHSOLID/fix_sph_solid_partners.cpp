@@ -21,6 +21,7 @@
 #include "memory.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "sph_solid_fingerprint.h"
 #include "update.h"
 
 #include <algorithm>
@@ -43,16 +44,17 @@ static constexpr double SAME = 1.0e-6;
 
 FixSPHSolidPartners::FixSPHSolidPartners(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), xref(nullptr), vref(nullptr), npartner(nullptr), self(nullptr),
-    partner(nullptr)
+    partner(nullptr), dim(domain->dimension)
 {
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
   stores_ids = 1;
-  comm_border = 4;
-  comm_forward = 4;
+  comm_border = comm_forward = dim + 1;
   maxexchange_dynamic = 1;
   maxpartner = nchanges = 0;
+  nlocal = -1;
+  seen = 0;
 
   grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
@@ -114,7 +116,7 @@ void FixSPHSolidPartners::widen(int n)
     partner = wider;
     maxpartner = n;
   }
-  maxexchange = maxpartner + 6;
+  maxexchange = maxpartner + 3 + dim;
 }
 
 void FixSPHSolidPartners::forget(int groupbit)
@@ -197,7 +199,7 @@ void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag)
   // which ghosts are without a reference travels as a negative volume
   for (int i = 0; i < atom->nlocal; i++) {
     if (npartner[i] >= 0) continue;
-    for (int k = 0; k < 3; k++) xref[i][k] = atom->x[i][k];
+    for (int k = 0; k < dim; k++) xref[i][k] = atom->x[i][k];
     const int t = atom->type[i];
     vref[i] = setflag[t][t] ? -atom->rmass[i] / atom->rho[i] : 0.0;
   }
@@ -264,7 +266,7 @@ void FixSPHSolidPartners::present_partners(NeighList *list, int ii, double **cut
 
 void FixSPHSolidPartners::find(bool setup, int **setflag)
 {
-  const int nlocal = atom->nlocal;
+  nlocal = atom->nlocal;
   own.clear();
   index.clear();
   count.assign(nlocal, 0);
@@ -274,6 +276,7 @@ void FixSPHSolidPartners::find(bool setup, int **setflag)
   std::size_t most = 0;
   for (int i = 0; i < nlocal; i++) most += std::max(npartner[i], 0);
   index.reserve(most);
+  own.reserve(nlocal);
   for (int i = 0; i < nlocal; i++) {
     if (!setflag[atom->type[i]][atom->type[i]]) continue;
     own.push_back(i);
@@ -289,14 +292,30 @@ void FixSPHSolidPartners::find(bool setup, int **setflag)
   }
   for (const int i : own) row[i] = index.data() + start[i];
   resolve_missing(missing, setup);
-  seen.assign(atom->tag, atom->tag + nlocal + atom->nghost);
+  seen = fingerprint_of_ids();
+}
+
+// a quarter of the memory of a particle's partners, kept only for cover()
+
+bool FixSPHSolidPartners::forget_rows()
+{
+  if (follows_partners()) return false;
+  for (std::vector<int> *of : {&count, &index}) std::vector<int>().swap(*of);
+  std::vector<int *>().swap(row);
+  return true;
 }
 
 bool FixSPHSolidPartners::in_place() const
 {
-  const std::size_t n = atom->nlocal + atom->nghost;
-  return !periodic() && atom->nlocal == static_cast<int>(row.size()) && n == seen.size() &&
-      std::equal(seen.begin(), seen.end(), atom->tag);
+  return !periodic() && atom->nlocal == nlocal && seen == fingerprint_of_ids();
+}
+
+std::uint64_t FixSPHSolidPartners::fingerprint_of_ids() const
+{
+  const int n = atom->nlocal + atom->nghost;
+  SPHSolid::Fingerprint print(n);
+  for (int i = 0; i < n; i++) print.add(static_cast<double>(atom->tag[i]));
+  return print.value();
 }
 
 // local index of an ID, or -1: Atom::map() looks no further than the largest ID there is
@@ -438,9 +457,14 @@ double FixSPHSolidPartners::largest_distance() const
   return std::sqrt(all);
 }
 
+bool FixSPHSolidPartners::follows_partners() const
+{
+  return comm->nprocs > 1 || periodic();
+}
+
 void FixSPHSolidPartners::cover()
 {
-  if (comm->nprocs == 1 && !periodic()) return;
+  if (!follows_partners()) return;
   const double distance = largest_distance() + 0.5 * neighbor->skin;    // ghosts lag one step
   if (distance < comm->get_comm_cutoff()) return;
   comm->cutghostuser = COVER_MORE * distance;
@@ -476,7 +500,7 @@ void FixSPHSolidPartners::grow_arrays(int nmax)
   memory->grow(npartner, nmax, "sph/solid:npartner");
   memory->grow(self, nmax, "sph/solid:self");
   memory->grow(partner, nmax, maxpartner, "sph/solid:partner");
-  memory->grow(xref, nmax, 3, "sph/solid:xref");
+  memory->grow(xref, nmax, dim, "sph/solid:xref");
   memory->grow(vref, nmax, "sph/solid:vref");
 }
 
@@ -485,7 +509,7 @@ void FixSPHSolidPartners::copy_arrays(int i, int j, int)
   npartner[j] = npartner[i];
   self[j] = self[i];
   for (int k = 0; k < npartner[i]; k++) partner[j][k] = partner[i][k];
-  for (int k = 0; k < 3; k++) xref[j][k] = xref[i][k];
+  for (int k = 0; k < dim; k++) xref[j][k] = xref[i][k];
   vref[j] = vref[i];
 }
 
@@ -493,7 +517,7 @@ void FixSPHSolidPartners::set_arrays(int i)
 {
   npartner[i] = -1;
   self[i] = 0;
-  for (int k = 0; k < 3; k++) xref[i][k] = 0.0;
+  for (int k = 0; k < dim; k++) xref[i][k] = 0.0;
   vref[i] = 0.0;
 }
 
@@ -503,7 +527,7 @@ int FixSPHSolidPartners::pack_row(int i, double *buf) const
   buf[m++] = ubuf(npartner[i]).d;
   buf[m++] = ubuf(self[i]).d;
   for (int k = 0; k < npartner[i]; k++) buf[m++] = ubuf(partner[i][k]).d;
-  for (int k = 0; k < 3; k++) buf[m++] = xref[i][k];
+  for (int k = 0; k < dim; k++) buf[m++] = xref[i][k];
   buf[m++] = vref[i];
   return m;
 }
@@ -514,7 +538,7 @@ int FixSPHSolidPartners::unpack_row(int i, const double *buf)
   npartner[i] = static_cast<int>(ubuf(buf[m++]).i);
   self[i] = static_cast<tagint>(ubuf(buf[m++]).i);
   for (int k = 0; k < npartner[i]; k++) partner[i][k] = static_cast<tagint>(ubuf(buf[m++]).i);
-  for (int k = 0; k < 3; k++) xref[i][k] = buf[m++];
+  for (int k = 0; k < dim; k++) xref[i][k] = buf[m++];
   vref[i] = buf[m++];
   return m;
 }
@@ -537,7 +561,7 @@ int FixSPHSolidPartners::pack_border(int n, int *list, double *buf)
 int FixSPHSolidPartners::unpack_border(int n, int first, double *buf)
 {
   unpack_forward_comm(n, first, buf);
-  return 4 * n;
+  return (dim + 1) * n;
 }
 
 int FixSPHSolidPartners::pack_forward_comm(int n, int *list, double *buf, int, int *)
@@ -545,7 +569,7 @@ int FixSPHSolidPartners::pack_forward_comm(int n, int *list, double *buf, int, i
   int m = 0;
   for (int k = 0; k < n; k++) {
     const int i = list[k];
-    for (int d = 0; d < 3; d++) buf[m++] = xref[i][d];
+    for (int d = 0; d < dim; d++) buf[m++] = xref[i][d];
     buf[m++] = vref[i];
   }
   return m;
@@ -555,7 +579,7 @@ void FixSPHSolidPartners::unpack_forward_comm(int n, int first, double *buf)
 {
   int m = 0;
   for (int i = first; i < first + n; i++) {
-    for (int d = 0; d < 3; d++) xref[i][d] = buf[m++];
+    for (int d = 0; d < dim; d++) xref[i][d] = buf[m++];
     vref[i] = buf[m++];
   }
 }
@@ -566,12 +590,12 @@ void FixSPHSolidPartners::unpack_forward_comm(int n, int first, double *buf)
 
 int FixSPHSolidPartners::size_restart(int i)
 {
-  return 7 + std::max(npartner[i], 0);
+  return 4 + dim + std::max(npartner[i], 0);
 }
 
 int FixSPHSolidPartners::maxsize_restart()
 {
-  return 7 + maxpartner;
+  return 4 + dim + maxpartner;
 }
 
 int FixSPHSolidPartners::pack_restart(int i, double *buf)
@@ -613,10 +637,9 @@ void FixSPHSolidPartners::restart(char *buf)
 
 double FixSPHSolidPartners::memory_usage()
 {
-  double bytes =
-      (double) atom->nmax * (sizeof(int) + 4 * sizeof(double) + (1 + maxpartner) * sizeof(tagint));
+  double bytes = (double) atom->nmax *
+      (sizeof(int) + (dim + 1) * sizeof(double) + (1 + maxpartner) * sizeof(tagint));
   bytes += (double) index.capacity() * sizeof(int) + (double) row.capacity() * sizeof(int *);
-  bytes += (double) seen.capacity() * sizeof(tagint);
   bytes += (double) (own.capacity() + count.capacity()) * sizeof(int);
   return bytes;
 }

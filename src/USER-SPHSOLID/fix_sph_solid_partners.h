@@ -22,6 +22,7 @@ FixStyle(SPH/SOLID/PARTNERS,FixSPHSolidPartners);
 
 #include "fix.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -32,7 +33,7 @@ namespace LAMMPS_NS {
 
 class FixSPHSolidPartners : public Fix {
  public:
-  double **xref;    // reference position, own and ghost [length]
+  double **xref;    // reference position, as many numbers as dimensions, own and ghost [length]
   double *vref;     // reference volume, own and ghost [length^D]
 
   FixSPHSolidPartners(class LAMMPS *, int, char **);
@@ -58,6 +59,9 @@ class FixSPHSolidPartners : public Fix {
   // are all particles and ghosts where find() saw them last?  Never in a periodic box, where the
   // nearest images of partners may have changed
   bool in_place() const;
+
+  // after find(): nobody reads rows any more.  Are they gone?
+  bool forget_rows();
 
   // how often references or partners have changed
   int changes() const { return nchanges; }
@@ -86,19 +90,22 @@ class FixSPHSolidPartners : public Fix {
   int *npartner;       // number of partners, -1: no reference yet
   tagint *self;        // own ID in the reference
   tagint **partner;    // their IDs, ascending
+  const int dim;
   int nchanges;
   int maxpartner;    // columns of partner
   // lengths that belong to the reference: the box, 0 where it is not periodic; then h of types
   std::vector<double> lengths;
 
   // local view, valid until particles move between ranks
+  int nlocal;    // particles, or -1
   std::vector<int> own, count, index;
-  std::vector<tagint> seen;    // IDs of all particles when this was found
+  std::uint64_t seen;    // fingerprint of the IDs of all particles when this was found
   std::vector<int *> row;
 
   int pack_row(int, double *) const;
   int unpack_row(int, const double *);
   void widen(int);
+  std::uint64_t fingerprint_of_ids() const;
   bool needs_reference(int i, int **setflag) const;
   void present_partners(class NeighList *list, int ii, double **cutsq,
                         std::vector<tagint> &found) const;
@@ -110,6 +117,7 @@ class FixSPHSolidPartners : public Fix {
   void drop(std::vector<tagint> &gone);
   bool periodic() const;
   double largest_distance() const;
+  bool follows_partners() const;
   void cover();
   int near_image(int i, int j) const;
 };

@@ -36,6 +36,9 @@
 #include "update.h"
 
 #include <algorithm>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -179,6 +182,17 @@ void PairSPHSolid::new_neighbors(bool setup)
     p.id = id.data();
   }
   sweeps->new_neighbors(p, rows(), largest_cutoff() + neighbor->skin);
+  if (partners && partners->forget_rows()) give_back_freed_memory();
+}
+
+// what has served to arrange partners leaves holes below the arrays that stay, which are a tenth of
+// all memory: the C library keeps them unless it is asked
+
+void PairSPHSolid::give_back_freed_memory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 std::vector<double> PairSPHSolid::smoothing_lengths() const
@@ -212,6 +226,11 @@ void PairSPHSolid::empty_list()
   if (list->ipage)
     for (int k = 0; k < list_threads; k++)
       list->ipage[k].init(neighbor->oneatom, neighbor->pgsize, 1);
+  memory->destroy(list->ilist);
+  memory->destroy(list->numneigh);
+  memory->sfree(list->firstneigh);
+  list->firstneigh = nullptr;
+  list->maxatom = 0;                          // so that NeighList::grow() makes new ones
   if (list->np) list->np->last_build = -1;    // who asks for it gets a new one
 }
 

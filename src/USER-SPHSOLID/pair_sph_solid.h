@@ -146,6 +146,7 @@ class PairSPHSolid : public Pair {
   void new_neighbors(bool);
   void empty_list();
   void sort_rows();
+  static void give_back_freed_memory();
   void pack_kinematics(bool);
   void stop_unphysical(int);
   void warn_lost_neighbors();

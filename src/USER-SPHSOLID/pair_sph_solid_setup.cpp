@@ -139,6 +139,7 @@ void PairSPHSolid::init_style()
   sweeps->ledger = *kept;
   evaluated_own = evaluated_all = -1;
   sweeps->nthreads = comm->nthreads;
+  sweeps->limits_step = !modify->get_fix_by_style("^sph/solid/dt$").empty();
   comm_forward = std::max(3, sweeps->message_size(Message::STRESS));    // the largest one
   collect_planes();
   if (options->frame == Frame::LAGRANGIAN) {

@@ -37,6 +37,8 @@
 #include "sph_solid_points.h"
 #include "sph_solid_slots.h"
 
+#include <mutex>
+
 using namespace SPHSolid;
 
 // of one source file, sph_solid_sweeps_lagrangian.cpp.  That the compiler knows this is worth 5 %
@@ -114,14 +116,18 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
   int end_of_own = 0, end_of_columns = 0;
   Slots slots;
-  Rows B, F;             // of own particles; F only where no neighbor reads C
-  Rows damp;             // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
-  Rows pull;             // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
-  Rows near_weight;      // of slots with nearest partners: m_j Wbar_ij, then weights
-  Rows near_pull;        // weights safe: force on i = m_i/2 near_pull x_ij
+  Rows B, F;    // of own particles; B on and above the diagonal, F only where nobody reads C
+  Rows damp;    // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
+  Rows pull;    // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
+  // of slots with nearest partners: m_j Wbar_ij, then weights; weights safe: force on i = m_i/2
+  // near_pull x_ij
+  SharedVectors<double, LANES> near_weight;
+  Rows near_pull;
+  std::vector<int> near_in_order;    // 0, 1, ...: pulls are not shared
   Rows mu_max, early;    // of own: largest approach rate; power of forces on their velocities
   Totals early_totals;
   bool weights_known = false;
+  std::mutex door;    // of shared vectors
 
   // what is constant between two neighbor lists
   void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,
@@ -183,7 +189,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   // V0_j grad_i W = this times X_ij
   Pack factor(int slot, const double *j) const
   {
-    return load(&slots.factor[slot * std::size_t(LANES)]) * component(j, WEIGHT);
+    return load(slots.constants.of(slot) + Slots::FACTOR) * component(j, WEIGHT);
   }
   static Components<D> motion(const double *i, const double *j)
   {
@@ -202,6 +208,20 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     Tensors t;
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) t(a, b) = load(&of[((block * D + a) * D + b) * LANES]);
+    return t;
+  }
+  static constexpr int SYMMETRIC = D * (D + 1) / 2;
+  double *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
+  const double *correction_of(int block) const
+  {
+    return &B[block * std::size_t(SYMMETRIC) * LANES];
+  }
+  Tensors load_correction(int block) const
+  {
+    Tensors t;
+    const double *at = correction_of(block);
+    for (int a = 0; a < D; a++)
+      for (int b = a; b < D; b++, at += LANES) t(a, b) = t(b, a) = load(at);
     return t;
   }
   static void store_tensors(Rows &of, int block, const Tensors &t)
@@ -252,23 +272,24 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   enum class Work { NONE, DUE, WHOLE };
   template <Work WORK> Sums accumulate(int block) const;
   template <Work WORK>
-  void add_work(int slot, const double *near, const double *i, const double *j,
-                const Components<D> &, PairWork &) const;
+  void add_work(int slot, const double *i, const double *j, const Components<D> &,
+                PairWork &) const;
   template <Work WORK> Pack corrected_power(const double *i, const double *j, const Pack *v) const;
   // of a pair of nearest partners: what its force is along, and what it is times m_i/2
   Pack corrected_along(const double *i, const double *j, int a) const
   {
     return component(i, at_along + a) - component(j, at_along + a);
   }
-  std::size_t near_place(int slot, int block) const
+  int near_slot(int slot, int block) const
   {
-    const int n = slot - slots.first[block] + slots.near_first[block];
-    return static_cast<std::size_t>(n) * LANES;
+    return slot - slots.first[block] + slots.near_first[block];
   }
-  const double *near_factors(int block) const
+  // what the nearest pairs of a block are multiplied by
+  SharedVectors<double, LANES>::Run near_factors(int block) const
   {
-    const Rows &of = safe() ? near_pull : near_weight;
-    return of.data() + near_place(slots.first[block], block);
+    const int first = slots.near_first[block];
+    if (safe()) return {near_in_order.data() + first, near_pull.data()};
+    return near_weight.from(first);
   }
   struct Power {
     Pack stress, viscous, corrected, hourglass;
@@ -297,7 +318,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     return all ? pull : whole_pull(i, j, pull);
   }
   void correct_block(const Particles &, int block, const Batch &, Totals &);
-  void near_weights(int block);
+  void find_weights();
   void safe_pulls(int block);
 
   Tensors deformation_gradients(const Particles &, int block, const Batch &) const;

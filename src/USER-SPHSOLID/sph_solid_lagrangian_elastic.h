@@ -16,7 +16,7 @@ template <int D> void LagrangianSweeps<D>::elastic_stress(const Particles &p)
 {
   mirror_vectors(V);
   each_block([&](int block, const Batch &batch, Totals &) {
-    const Tensors correction = load_tensors(B, block);
+    const Tensors correction = load_correction(block);
     const Tensors gradient = accumulate<Work::NONE>(block).velocity * correction;
     const Pack shear = Base::shear_moduli(p, batch);
     const Pack bulk = Base::of_types(p, batch, [this](int t) {

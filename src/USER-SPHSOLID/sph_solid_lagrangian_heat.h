@@ -16,9 +16,8 @@ namespace {
 
 template <int D>
 template <typename LagrangianSweeps<D>::Work WORK>
-inline void LagrangianSweeps<D>::add_work(int s, const double *near, const double *i,
-                                          const double *j, const Components<D> &d,
-                                          PairWork &work) const
+inline void LagrangianSweeps<D>::add_work(int s, const double *i, const double *j,
+                                          const Components<D> &d, PairWork &work) const
 {
   const std::size_t k = s * std::size_t(LANES);
   Pack along = 0.0;    // velocities along distances when the forces were found
@@ -30,8 +29,6 @@ inline void LagrangianSweeps<D>::add_work(int s, const double *near, const doubl
   if (opt.hourglass > 0.0) work.hourglass = multiply_add(load(&damp[k]), weighted, work.hourglass);
   if (keeps_pairs())
     work.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), weighted, work.viscous);
-  if (near)
-    work.corrected = multiply_add(load(near), corrected_power<WORK>(i, j, d.v), work.corrected);
 }
 
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
@@ -181,7 +178,7 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
 {
   const double *i = columns.at(block * LANES);
   const Pack V0 = batch.load(p.vref), half_mass = 0.5 * batch.load(p.mass);
-  const double *near = near_factors(block);
+  const auto near = near_factors(block);
   TensorSums<D> sum;
   Scratch scratch;
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
@@ -199,8 +196,7 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
       for (int b = 0; b < D; b++)
         t += (component(i, T + D * a + b) + component(j, T + D * a + b)) * reference[b];
       f[a] = V0 * (factor(s, j) * t + central * d.x[a]);
-      if (n < slots.nearest(block))
-        f[a] += half_mass * load(near + n * LANES) * corrected_along(i, j, a);
+      if (n < slots.nearest(block)) f[a] += half_mass * load(near.of(n)) * corrected_along(i, j, a);
     }
     sum.add(f, d.x);
   }

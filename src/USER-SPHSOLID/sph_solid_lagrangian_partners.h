@@ -160,6 +160,8 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
   }
 
   std::vector<Partner> partners[LANES];
+  SingleRows constants;       // of the pairs of a block's slots
+  Rows near;                  // m_j Wbar of the nearest
   Tensor<D> moment[LANES];    // M
   double nsum[LANES];         // n of the correction: sum m_j Wbar
 
@@ -243,7 +245,10 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
   void fill(int block, int gathered)
   {
     Slots &slots = of.slots;
-    int s = slots.first[block], near = slots.near_first[block];
+    const int first = slots.first[block];
+    int s = first;
+    constants.assign((slots.first[block + 1] - first) * Slots::CONSTANTS, 0.0f);
+    near.assign(slots.nearest(block) * LANES, 0.0);
     for (int m = 0; m < LANES; m++) {
       moment[m].setZero();
       nsum[m] = 0.0;
@@ -257,14 +262,21 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
                 if (!side_by_side)
                   slots.gathered[gathered * LANES + m] = partner ? partner->column
                                                                  : block * LANES + m;
-                if (partner) fill_pair(block, m, s, near, *partner);
+                if (partner) fill_pair(block, m, s - first, *partner);
               }
               if (!side_by_side) gathered++;
               s++;
-              near++;
             });
+    enter(block);
     correct(block);
     find_foremost(block);
+  }
+
+  void enter(int block)
+  {
+    const std::lock_guard<std::mutex> alone(of.door);
+    of.slots.constants.enter(of.slots.first[block], constants);
+    of.near_weight.enter(of.slots.near_first[block], near);
   }
 
   // which of the slots that read nearly the same columns reads the last of them
@@ -282,19 +294,19 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
   }
 
   // what is constant of a pair
-  void fill_pair(int block, int m, int slot, int near, const Partner &partner)
+  void fill_pair(int block, int m, int slot, const Partner &partner)
   {
     const int i = of.own[block * LANES + m], source = of.source_of(partner.row);
     const double h = mean_h(i, source), q = partner.r / h;
-    const std::size_t k = static_cast<std::size_t>(slot) * LANES + m;
-    of.slots.factor[k] = CubicSpline<D>::gradient_factor(partner.r, h) / of.unit_factor;
-    of.slots.nearness[k] = q / (q * q + MU_EPSILON);
+    float *of_slot = &constants[slot * Slots::CONSTANTS + m], &factor = of_slot[Slots::FACTOR];
+    factor = CubicSpline<D>::gradient_factor(partner.r, h) / of.unit_factor;
+    of_slot[Slots::NEARNESS] = q / (q * q + MU_EPSILON);
     const Vector<D> X = separation(i, partner.row);
-    moment[m] -= of.slots.factor[k] * of.columns.get(partner.column, WEIGHT) * X * X.transpose();
+    moment[m] -= factor * of.columns.get(partner.column, WEIGHT) * X * X.transpose();
     if (!partner.nearest) return;
-    const double weight =
-        Base::wbar_mass(partner.r, p.mass[source], near_support(i), near_support(source));
-    of.near_weight[static_cast<std::size_t>(near) * LANES + m] = weight;
+    const double weight = p.mass[source] *
+        rounded(Base::wbar_mass(partner.r, 1.0, near_support(i), near_support(source)));
+    near[slot * LANES + m] = weight;
     nsum[m] += weight;
   }
 
@@ -305,9 +317,10 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       const int n = std::min(m, of.particles_of(block) - 1);
       const bool enough = moment[n].determinant() >= DET_FALLBACK;
       const Tensor<D> inverse = enough ? Tensor<D>(moment[n].inverse()) : Tensor<D>::Identity();
+      double *at = of.correction_of(block) + m;
       for (int a = 0; a < D; a++)
-        for (int b = 0; b < D; b++) of.B[((block * D + a) * D + b) * LANES + m] = inverse(a, b);
-      if (of.needs_correction()) of.columns.set(block * LANES + m, LAST, nsum[n]);
+        for (int b = a; b < D; b++, at += LANES) *at = inverse(a, b);
+      if (of.needs_correction()) of.columns.set(block * LANES + m, LAST, rounded(nsum[n]));
     }
   }
 };
@@ -333,6 +346,8 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
     arranging.fill(block, gathered[block]);
   });
+  slots.constants.end();
+  near_weight.end();
 }
 
 // an order of columns that leaves few places in slots empty, and whether rows are worth having,
@@ -396,20 +411,22 @@ void LagrangianSweeps<D>::each_arranging(const Arranging &first, Call call)
 
 template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
 {
-  const std::size_t pairs = static_cast<std::size_t>(slots.first.back()) * LANES;
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
   columns.resize(end_of_columns, components(), with_rows);
   slots.offset.resize(slots.first.back());
   slots.foremost.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);
-  slots.factor.assign(pairs, 0.0f);
-  slots.nearness.assign(pairs, 0.0f);
-  near_weight.assign(near, 0.0);
-  if (safe()) near_pull.assign(near, 0.0);
-  if (opt.hourglass > 0.0) damp.assign(pairs, 0.0);
-  B.resize(static_cast<std::size_t>(end_of_own) * D * D);
+  slots.constants.begin(slots.first.back());
+  near_weight.begin(slots.near_first.back());
+  if (safe()) {
+    near_pull.assign(near, 0.0);
+    near_in_order.resize(slots.near_first.back());
+    std::iota(near_in_order.begin(), near_in_order.end(), 0);
+  }
+  damp.clear();
+  B.resize(static_cast<std::size_t>(end_of_own) * SYMMETRIC);
   if (!viscous()) F.resize(static_cast<std::size_t>(end_of_own) * D * D);
-  mu_max.assign(end_of_own, 0.0);
+  if (this->limits_step) mu_max.assign(end_of_own, 0.0);
   if (this->keeps_heat) early.assign(end_of_own, 0.0);
   weights_known = false;
 }
@@ -431,7 +448,7 @@ LagrangianSweeps<D>::deformation_gradients(const Particles &p, int block, const 
   if (!viscous()) return load_tensors(F, block);
   const double *i = columns.at(block * LANES);
   const Pack J = batch.load(p.mass) / (component(i, RHO) * batch.load(p.vref));
-  return J * tensor(i, at_C).inverse().transpose() * load_tensors(B, block);
+  return J * tensor(i, at_C).inverse().transpose() * load_correction(block);
 }
 
 // eigenvalues only where the bound could be the least of all
@@ -519,7 +536,7 @@ Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane)
   const double s = least_stretch<D>(Fi);
   if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
-    if (slots.factor[static_cast<std::size_t>(slot) * LANES + lane] == 0.0f) continue;
+    if (slots.constants.of(slot)[Slots::FACTOR + lane] == 0.0f) continue;
     const int other = slots.column(slot, block, lane);
     double X2 = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {
@@ -535,8 +552,8 @@ Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane)
 
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
-  double bytes = columns.memory_usage() + slots.memory_usage();
-  for (const Rows *rows : {&B, &F, &damp, &pull, &near_weight, &near_pull, &mu_max, &early})
+  double bytes = columns.memory_usage() + slots.memory_usage() + near_weight.memory_usage();
+  for (const Rows *rows : {&B, &F, &damp, &pull, &near_pull, &mu_max, &early})
     bytes += static_cast<double>(rows->capacity() * sizeof(double));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }

@@ -131,7 +131,9 @@ template <int D> void LagrangianSweeps<D>::mirror_stress()
     for (const int column : column_of)
       lonely = lonely || (column >= 0 && !(columns.get(column, LAST) > 0.0));
   }
-  if (keeps_pairs()) pull.resize(slots.factor.size());
+  // not sooner, when lists of partners take room as well
+  if (opt.hourglass > 0.0) damp.resize(slots.pairs());
+  if (keeps_pairs()) pull.resize(slots.pairs());
 }
 
 template <int D> void LagrangianSweeps<D>::mirror_switch()

@@ -45,13 +45,12 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
 template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const NeighborRows &)
 {
   mirror_vectors(at_da);
+  if (!weights_known) find_weights();
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
-    if (!weights_known) near_weights(block);
     if (safe()) safe_pulls(block);
     correct_block(p, block, batch, t);
   });
   Totals::add(early_totals, totals);
-  weights_known = true;
 }
 
 // forces and, with heat on the way, their work on the velocities they come from
@@ -60,16 +59,17 @@ template <int D>
 void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Batch &batch,
                                         Totals &totals)
 {
-  const double *i = columns.at(block * LANES), *near = near_factors(block);
+  const double *i = columns.at(block * LANES);
   const int first = slots.first[block], end = first + slots.nearest(block);
+  const auto near = near_factors(block);
   const bool heats = this->keeps_heat;
   const Pack mass = batch.load(p.mass);
   Pack f[D], power = 0.0;
   for (int a = 0; a < D; a++) f[a] = 0.0;
   Scratch scratch;
-  for (int s = first; s < end; s++, near += LANES) {
+  for (int s = first; s < end; s++) {
     const double *j = neighbors(s, block, T, scratch);
-    const Pack w = load(near);
+    const Pack w = load(near.of(s - first));
     for (int a = 0; a < D; a++) f[a] = multiply_add(w, corrected_along(i, j, a), f[a]);
     if (!heats) continue;
     Pack v[D];
@@ -87,17 +87,27 @@ void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Bat
 
 // m_j Wbar of the nearest partners becomes a weight: constant until the partners have new indices
 
-template <int D> void LagrangianSweeps<D>::near_weights(int block)
+template <int D> void LagrangianSweeps<D>::find_weights()
 {
-  const double *i = columns.at(block * LANES);
-  Scratch scratch;
-  for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
-    double *at = &near_weight[near_place(s, block)];
-    const Pack m_wbar = load(at), n_i = component(i, LAST);
-    const Pack w = correction_weight(opt.weights, m_wbar, n_i,
-                                     component(neighbors(s, block, FIXED, scratch), LAST));
-    store(at, where_positive(m_wbar, w, Pack(0.0)));
-  }
+  SharedVectors<double, LANES> weights;
+  weights.begin(slots.near_first.back());
+  each_block([&](int block, const Batch &, Totals &) {
+    const double *i = columns.at(block * LANES);
+    const int first = slots.first[block];
+    Rows of_block(slots.nearest(block) * LANES);
+    Scratch scratch;
+    for (int k = 0; k < slots.nearest(block); k++) {
+      const double *j = neighbors(first + k, block, FIXED, scratch);
+      const Pack m_wbar = load(near_weight.of(near_slot(first + k, block)));
+      const Pack w = correction_weight(opt.weights, m_wbar, component(i, LAST), component(j, LAST));
+      store(&of_block[k * LANES], where_positive(m_wbar, w, Pack(0.0)));
+    }
+    const std::lock_guard<std::mutex> alone(door);
+    weights.enter(slots.near_first[block], of_block);
+  });
+  weights.end();
+  near_weight = std::move(weights);
+  weights_known = true;
 }
 
 // weights safe
@@ -112,8 +122,9 @@ template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
     Pack a[D], ax = 0.0;
     difference(i, j, at_da, a);
     for (int k = 0; k < D; k++) ax = multiply_add(a[k], d.x[k], ax);
-    const std::size_t k = near_place(s, block);
-    store(&near_pull[k], load(&near_weight[k]) * safe_pull(ax, d.v_dot_x(), d.x_dot_x()));
+    const int n = near_slot(s, block);
+    const Pack pull = safe_pull(ax, d.v_dot_x(), d.x_dot_x());
+    store(&near_pull[n * std::size_t(LANES)], load(near_weight.of(n)) * pull);
   }
 }
 

@@ -12,7 +12,7 @@
 #ifndef LMP_SPH_SOLID_SLOTS_H
 #define LMP_SPH_SOLID_SLOTS_H
 
-#include "sph_solid_vector.h"
+#include "sph_solid_shared.h"
 
 #include <cstdint>
 #include <vector>
@@ -76,13 +76,16 @@ struct Slots {
   std::vector<int> gathered;      // LANES columns each
   std::vector<int> count;         // partners of each column
 
-  // LANES of each slot.  In single precision, since a step of a large body waits for memory.
-  // They are the same seen from i and from j, and all that follows from them is computed in
+  // LANES of each slot.  In single precision, so that rounding does not tell pairs of a lattice
+  // apart.  They are the same seen from i and from j, and all that follows from them is computed in
   // double precision, so that sums are as exact as with others: of linear fields and of energy
   // and momentum to rounding of doubles.  h0 is the largest smoothing length
-  SingleRows factor;      // grad_i W(X_ij) = factor X_ij / h0^(D+2)
-  SingleRows nearness;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
+  static constexpr int FACTOR = 0;          // grad_i W(X_ij) = factor X_ij / h0^(D+2)
+  static constexpr int NEARNESS = LANES;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor
+  static constexpr int CONSTANTS = 2 * LANES;
+  SharedVectors<float, CONSTANTS> constants;
 
+  std::size_t pairs() const { return static_cast<std::size_t>(first.back()) * LANES; }
   int nearest(int block) const { return near_first[block + 1] - near_first[block]; }
   // the column of a slot's neighbor
   int column(int slot, int block, int lane) const
@@ -94,9 +97,7 @@ struct Slots {
   {
     const std::size_t ints = first.capacity() + near_first.capacity() + offset.capacity() +
         gathered.capacity() + count.capacity();
-    return static_cast<double>(foremost.capacity() +
-                               (factor.capacity() + nearness.capacity()) * sizeof(float) +
-                               ints * sizeof(int));
+    return static_cast<double>(foremost.capacity() + ints * sizeof(int)) + constants.memory_usage();
   }
 };
 

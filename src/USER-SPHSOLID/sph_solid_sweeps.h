@@ -131,6 +131,7 @@ class Sweeps {
   int nthreads = 1;
   Ledger ledger;
   HeatDue due;                // for the next gradient sweep, which adds it to p.e and clears it
+  bool limits_step = true;    // will time_step_limit() be asked for?
   bool keeps_heat = false;    // the share of v is to be found: only where can_keep_heat()
 
   // neighbor lists are new: find images, size the storage.  reach: largest

@@ -23,17 +23,18 @@ template <typename LagrangianSweeps<D>::Work WORK>
 typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) const
 {
   const double *i = columns.at(block * LANES);
-  const int near_end = slots.first[block] + slots.nearest(block);
-  const double *near = near_factors(block);
+  const int first = slots.first[block], near_end = first + slots.nearest(block);
+  const auto near = near_factors(block);
+  const auto constants = slots.constants.from(first);
   const int last = keeps_pairs() ? FIXED : T;    // of what is read of neighbors
   TensorSums<D> displacement, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   Scratch scratch;
-  for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
+  for (int s = first; s < slots.first[block + 1]; s++) {
     const double *j = neighbors(s, block, last, scratch);
     prefetch_ahead(s, j, T);
     const Components<D> d = motion(i, j);
-    const Pack F = factor(s, j);
+    const Pack F = load(constants.of(s - first) + Slots::FACTOR) * component(j, WEIGHT);
     Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
     difference(i, j, REFERENCE, g);
     for (int a = 0; a < D; a++) {
@@ -43,8 +44,10 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
     displacement.add(u, g);
     velocity.add(d.v, g);
     if (WORK == Work::NONE) continue;
-    add_work<WORK>(s, s < near_end ? near : nullptr, i, j, d, work);
-    if (s < near_end) near += LANES;
+    add_work<WORK>(s, i, j, d, work);
+    if (s < near_end)
+      work.corrected =
+          multiply_add(load(near.of(s - first)), corrected_power<WORK>(i, j, d.v), work.corrected);
   }
   return {displacement.tensor(), velocity.tensor(), work};
 }
@@ -109,7 +112,7 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   constexpr Work WORK = LATE ? Work::DUE : Work::NONE;
   Sums sums = accumulate<WORK>(block);
   if (batch.n < LANES) repeat_last(sums, batch.n);
-  const Tensors correction = load_tensors(B, block);
+  const Tensors correction = load_correction(block);
   const Tensors Fi = Tensors::Identity() + sums.displacement * correction;
   const Tensors rate = sums.velocity * correction;
   if (!viscous()) store_tensors(F, block, Fi);
@@ -153,7 +156,7 @@ void LagrangianSweeps<D>::prefetch_points(const Particles &p, int block, const B
   if (!batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal) return;
   Base::prefetch_state(p, next);
   prefetch(p.vref + next, LANES);
-  prefetch(&B[(block + 2) * D * D * LANES], D * D * LANES);
+  prefetch(correction_of(block + 2), SYMMETRIC * LANES);
   const double *at = columns.at((block + 2) * LANES);
   for (int c = T; c < at_da; c++) prefetch(at + c * NEXT, 1);
 }
@@ -198,7 +201,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
                  RATES = BOTH || HOURGLASS;
   constexpr int C_AT = FIXED, R_AT = C_AT + (VISCOUS ? D * D : 0);
   const double *i = columns.at(block * LANES);
-  const float *factors = slots.factor.data(), *near = slots.nearness.data();
+  const int first = slots.first[block];
+  const auto constants = slots.constants.from(first);
   double *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double a1 = opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
@@ -208,11 +212,12 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   for (int a = 0; a < D; a++) moment[a] = stress[a] = central[a] = replaced[a] = zero;
   Scratch scratch;
 
-  for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
+  for (int s = first; s < slots.first[block + 1]; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
     const double *j = neighbors(s, block, at_da, scratch);
     prefetch_ahead(s, j, R_AT + (RATES ? D * D : 0));
-    const Pack f = load(factors + k), weight = component(j, WEIGHT), F = f * weight;
+    const float *constant = constants.of(s - first);
+    const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
     difference(i, j, REFERENCE, X);
     for (int a = 0; a < D; a++) {    // T_i sum F X + sum F T_j X
@@ -246,7 +251,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     if (VISCOUS) {
       const Pack on = needs_switch(FORM) ? 0.5 * (component(i, LAST) + component(j, LAST)) : one;
       const Pack jump = jump_left<FORM>(vr, li, lj, on);
-      const Pack mu = minimum(jump, zero) * load(near + k) * square_root(r2) * inv_r2;
+      const Pack mu =
+          minimum(jump, zero) * load(constant + Slots::NEARNESS) * square_root(r2) * inv_r2;
       const Pack rho = 0.5 * (component(i, RHO) + component(j, RHO));
       const Pack c = 0.5 * (component(i, SOUND) + component(j, SOUND));
       Pack Pi = rho * mu * (a2 * mu - a1 * c);
@@ -277,7 +283,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   }
   columns.copy_to_rows(block * LANES, at_da, columns.components());
   add_forces(p, batch, stress);
-  store(&mu_max[block * LANES], -mu_least);
+  if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
   if (!this->keeps_heat) return;
   const Pack viscous_heat = 0.5 * V0 * viscous_power, hourglass_heat = -0.5 * V0 * hourglass_power;
   store(&early[block * LANES], load(&early[block * LANES]) + viscous_heat + hourglass_heat);

@@ -1,0 +1,101 @@
+/* ----------------------------------------------------------------------
+   Vectors of numbers that are constant, as those of pairs in the Lagrangian frame are:
+   which are alike to the last bit share one entry.
+
+   On a lattice some hundred entries are all there are and stay in the first-level cache,
+   where numbers of each pair would be read from memory in every step.  Where nothing
+   is alike every vector has an entry of its own.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_SHARED_H
+#define LMP_SPH_SOLID_SHARED_H
+
+#include "sph_solid_vector.h"
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace SPHSolid {
+
+// a number with 32 of its 53 bits: what follows from lengths of a lattice, which differ by
+// rounding, is then the same for all pairs that are alike, but for one in some thousands
+
+inline double rounded(double x)
+{
+  const double large = x * 0x1p21;
+  return (x + large) - large;
+}
+
+// of N numbers each
+
+template <class Number, int N> class SharedVectors {
+ public:
+  using Numbers = std::vector<Number, CacheAligned<Number>>;
+
+  // so many vectors, all of which are still without numbers
+  void begin(std::size_t vectors)
+  {
+    entry.assign(vectors, 0);
+    data.clear();
+    recent.assign(RECENT, -1);
+  }
+  // those of several vectors, one after the other; one thread at a time
+  void enter(std::size_t first, const Numbers &of)
+  {
+    for (std::size_t at = 0; at < of.size(); at += N) entry[first++] = place(&of[at]);
+  }
+  void end()
+  {
+    data.shrink_to_fit();
+    recent = {};
+  }
+
+  const Number *of(std::size_t vector) const { return entry_at(entry[vector]); }
+  // of a run of vectors, for a loop over them
+  struct Run {
+    const int *entry;
+    const Number *data;
+    const Number *of(std::ptrdiff_t k) const { return data + entry[k] * std::ptrdiff_t(N); }
+  };
+  Run from(std::size_t first) const { return {entry.data() + first, data.data()}; }
+  double memory_usage() const
+  {
+    return static_cast<double>(entry.capacity() * sizeof(int) + data.capacity() * sizeof(Number));
+  }
+
+ private:
+  // the last entries, each at a place that follows from its bits: one that is not there any more
+  // is entered again
+  static constexpr std::size_t RECENT = 4096;
+  std::vector<int> recent;
+
+  std::vector<int> entry;    // of every vector
+  Numbers data;
+
+  int place(const Number *numbers)
+  {
+    int &known = recent[hash(numbers)];
+    if (known >= 0 && std::memcmp(entry_at(known), numbers, N * sizeof(Number)) == 0) return known;
+    known = static_cast<int>(data.size() / N);
+    data.insert(data.end(), numbers, numbers + N);
+    return known;
+  }
+  const Number *entry_at(int k) const { return &data[static_cast<std::size_t>(k) * N]; }
+
+  std::size_t hash(const Number *numbers) const    // FNV-1a, by words of 32 bits
+  {
+    std::uint64_t sum = 14695981039346656037u;
+    const char *bytes = reinterpret_cast<const char *>(numbers);
+    for (std::size_t at = 0; at < N * sizeof(Number); at += sizeof(std::uint32_t)) {
+      std::uint32_t word;
+      std::memcpy(&word, bytes + at, sizeof(word));
+      sum = (sum ^ word) * 1099511628211u;
+    }
+    return (sum >> 32) % RECENT;
+  }
+};
+
+}    // namespace SPHSolid
+
+#endif
