@@ -80,7 +80,7 @@ FixSPHSolidWall::FixSPHSolidWall(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   restart_global = 1;
   dynamic_group_allow = 1;
-  work = reaction_v = reaction_a = reaction = dt_used = 0.0;
+  work = reaction_v = reaction_a = reaction = dt_used = held = 0.0;
   added = true;
 }
 
@@ -98,6 +98,7 @@ void FixSPHSolidWall::init()
 
 void FixSPHSolidWall::setup(int)
 {
+  held = symmetry ? ON_PLANE * pair->largest_smoothing_length() : 0.0;
   if (!pair->has_resumed() || added) require_in_front();
   added = false;
   constrain(pair->has_resumed() ? CONTINUE : START);
@@ -164,12 +165,12 @@ void FixSPHSolidWall::constrain(Phase phase)
   kicked = phase != START;
 
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || !pair->moves(i)) continue;
     const double mass = atom->rmass[i];
     const double y = normal * (x[i][dim] - plane);
     const double vn = normal * (phase == START ? v : vhalf)[i][dim], fn = normal * f[i][dim];
     const bool away = mass * (y + dt * vn) + share * dt * dt * fn >= 0.0;
-    if ((away && !symmetry) || !pair->has_material(i)) continue;
+    if (away && std::fabs(y) >= held) continue;
+    if (!(atom->mask[i] & groupbit) || !pair->moves(i) || !pair->has_material(i)) continue;
     if (away && std::fabs(y) >= ON_PLANE * pair->smoothing_length(i)) continue;
 
     const double an = fn / mass;

@@ -53,6 +53,7 @@ class FixSPHSolidWall : public Fix {
   double normal;    // +1: the body lies above the plane, -1: below
   double plane;
   bool symmetry;
+  double held;    // symmetry: no particle further away than this lies on the plane
 
   double work;                      // done by the wall on the bodies, this rank
   double reaction_v, reaction_a;    // of the half kick to come: sums of R v and R a

@@ -203,6 +203,12 @@ std::vector<double> PairSPHSolid::smoothing_lengths() const
   return h;
 }
 
+double PairSPHSolid::largest_smoothing_length() const
+{
+  const std::vector<double> h = smoothing_lengths();
+  return *std::max_element(h.begin(), h.end());
+}
+
 // of the types with a material; Pair::cutforce is that of the whole pair style, and in a hybrid 0
 
 double PairSPHSolid::largest_cutoff()

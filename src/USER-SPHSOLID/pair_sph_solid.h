@@ -96,6 +96,7 @@ class PairSPHSolid : public Pair {
   double elastic_energy(int) const;
   double sound_speed(int) const;
   double smoothing_length(int) const;
+  double largest_smoothing_length() const;
   int neighbor_count(int) const;
   SPHSolid::Ledger &ledger();
 

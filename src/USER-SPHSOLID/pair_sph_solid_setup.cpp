@@ -223,7 +223,9 @@ void PairSPHSolid::collect_planes()
 
 double PairSPHSolid::init_one(int i, int j)
 {
-  double cut = 0.5 * SPHSolid::SUPPORT * (types[i].h + types[j].h);
+  const bool lagrangian = options->frame == Frame::LAGRANGIAN;
+  const double support = lagrangian ? SPHSolid::PARTNER_SUPPORT : SPHSolid::SUPPORT;
+  double cut = 0.5 * support * (types[i].h + types[j].h);
   if (options->viscosity == Viscosity::CORRECT)
     cut = std::max(cut, 0.5 * options->hbar * (types[i].spacing + types[j].spacing));
   return cut;

@@ -131,11 +131,14 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
 
   // what is constant between two neighbor lists
   void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,
-                     bool by_position);
+                     int side);
+  // orders of columns: by ID, or in rows along x, y or z
+  static constexpr int BY_ID = -1;
+  static int longest_side(const NeighborRows &, const std::vector<double> &reference);
   std::vector<int> choose_order(const Particles &, const NeighborRows &,
                                 const std::vector<double> &reference);
   std::vector<int> count_slots(const Particles &, const NeighborRows &,
-                               const std::vector<double> &reference, bool by_position);
+                               const std::vector<double> &reference, int side);
   std::vector<double> place_references(const Particles &, const NeighborRows &) const;
   void unwrap_references(const Particles &, const NeighborRows &, std::vector<double> &) const;
   void size_storage(int gathered);

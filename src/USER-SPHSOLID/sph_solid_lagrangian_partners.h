@@ -41,7 +41,7 @@ constexpr double STEP_STRETCH = 0.05;
 /* ----------------------------------------------------------------------
    columns: own particles, ghosts, images.  In the order of IDs a lattice is row by row, turned
    or not, as create_atoms has made it, however LAMMPS sorts its particles or moves them
-   between ranks.  Where IDs say nothing, rows along x of the reference often do
+   between ranks.  Where IDs say nothing, rows of the reference along its longest side often do
 ------------------------------------------------------------------------- */
 
 inline std::int64_t id_of(const Particles &p, int i)
@@ -50,28 +50,49 @@ inline std::int64_t id_of(const Particles &p, int i)
 }
 
 template <int D>
+int LagrangianSweeps<D>::longest_side(const NeighborRows &list,
+                                      const std::vector<double> &reference)
+{
+  int longest = 0;
+  double length = -1.0;
+  for (int a = 0; a < D; a++) {
+    double low = NO_LIMIT, high = -NO_LIMIT;
+    for (int ii = 0; ii < list.inum; ii++) {
+      const double X = reference[list.ilist[ii] * D + a];
+      low = std::min(low, X);
+      high = std::max(high, X);
+    }
+    if (!(high - low > length)) continue;
+    longest = a;
+    length = high - low;
+  }
+  return longest;
+}
+
+template <int D>
 void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list,
-                                        const std::vector<double> &reference, bool by_position)
+                                        const std::vector<double> &reference, int side)
 {
   struct Place {
     std::int64_t key[D];    // from the slowest on
-    double x;
+    double along;
     int i;
     bool operator<(const Place &b) const
     {
       for (int a = 0; a < D; a++)
         if (key[a] != b.key[a]) return key[a] < b.key[a];
-      return x < b.x;
+      return along < b.along;
     }
   };
+  const bool by_position = side != BY_ID;
   auto sort = [&](std::vector<int> &particles) {
     std::vector<Place> places;
     for (const int i : particles) {
-      Place place = {{}, by_position ? reference[i * D] : 0.0, i};
+      Place place = {{}, by_position ? reference[i * D + side] : 0.0, i};
       if (!by_position) place.key[0] = id_of(p, i);
       for (int a = 1; a < D && by_position; a++)    // rows lie further apart than half a spacing
-        place.key[D - 1 - a] =
-            std::llround(reference[i * D + a] / (0.5 * types[p.type[i]].spacing));
+        place.key[D - 1 - a] = std::llround(reference[i * D + (side + a) % D] /
+                                            (0.5 * types[p.type[source_of(i)]].spacing));
       places.push_back(place);
     }
     std::stable_sort(places.begin(), places.end());
@@ -79,16 +100,18 @@ void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &
   };
 
   own.assign(list.ilist, list.ilist + list.inum);
-  std::vector<int> ghosts;
-  for (int i = p.nlocal; i < p.nall; i++) ghosts.push_back(i);
+  std::vector<int> ghosts(p.nall - p.nlocal), mirrored(images.count());
+  std::iota(ghosts.begin(), ghosts.end(), p.nlocal);
+  std::iota(mirrored.begin(), mirrored.end(), p.nall);
   sort(own);
   sort(ghosts);
+  if (by_position) sort(mirrored);
   column_of.assign(p.nall + images.count(), -1);
   int column = 0;
   for (const int i : own) column_of[i] = column++;
   end_of_own = column = whole_vectors(column);
   for (const int i : ghosts) column_of[i] = column++;
-  for (int k = 0; k < images.count(); k++) column_of[p.nall + k] = column++;
+  for (const int i : mirrored) column_of[i] = column++;
   end_of_columns = column;
 }
 
@@ -185,7 +208,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       const int j = rows[k] & INDEX_MASK;
       const double r = separation(i, j).norm(), h = mean_h(i, j);
       const bool near = r < 0.5 * (near_support(i) + near_support(j));
-      if (near != nearest || (!nearest && r >= SUPPORT * h)) continue;
+      if (near != nearest || (!nearest && r >= PARTNER_SUPPORT * h)) continue;
       if (j >= p.nall && r < COINCIDE * h) continue;    // on the plane: its own image
       to.push_back({j, of.column_of[j], nearest && of.needs_correction(), direction(i, j),
                     id_of(p, of.source_of(j)) - id_of(p, i), r});
@@ -361,18 +384,26 @@ std::vector<int> LagrangianSweeps<D>::choose_order(const Particles &p, const Nei
     const auto pairs = std::accumulate(slots.count.begin(), slots.count.end(), std::int64_t(0));
     return pairs ? slots.first.back() * double(LANES) / pairs : 1.0;
   };
-  bool by_position = false;
+  int chosen = BY_ID, tried = BY_ID;
   with_rows = false;
-  std::vector<int> gathered = count_slots(p, list, reference, by_position);
-  const double by_id = room();
-  if (by_id > WORTH_ANOTHER_ORDER) {
-    by_position = true;
-    gathered = count_slots(p, list, reference, by_position);
-    if (room() > MUCH_WORSE * by_id) by_position = false;
-  }
-  with_rows = gathered.back() > WORTH_ROWS * slots.first.back();
-  if (with_rows || (by_id > WORTH_ANOTHER_ORDER && !by_position))
-    gathered = count_slots(p, list, reference, by_position);
+  std::vector<int> gathered = count_slots(p, list, reference, tried);
+  auto dear = [&]() {
+    return gathered.back() > WORTH_ROWS * slots.first.back();
+  };
+  double least = room();
+  bool wants_rows = dear();
+  auto try_rows = [&](int side, double worth) {
+    if (least <= WORTH_ANOTHER_ORDER || side == tried) return;
+    gathered = count_slots(p, list, reference, tried = side);
+    if (room() > worth * least) return;
+    chosen = tried;
+    least = room();
+    wants_rows = dear();
+  };
+  try_rows(0, MUCH_WORSE);
+  try_rows(longest_side(list, reference), 1.0 / MUCH_WORSE);
+  with_rows = wants_rows;
+  if (with_rows || chosen != tried) gathered = count_slots(p, list, reference, chosen);
   return gathered;
 }
 
@@ -380,10 +411,9 @@ std::vector<int> LagrangianSweeps<D>::choose_order(const Particles &p, const Nei
 
 template <int D>
 std::vector<int> LagrangianSweeps<D>::count_slots(const Particles &p, const NeighborRows &list,
-                                                  const std::vector<double> &reference,
-                                                  bool by_position)
+                                                  const std::vector<double> &reference, int side)
 {
-  place_columns(p, list, reference, by_position);
+  place_columns(p, list, reference, side);
   slots.first.assign(blocks() + 1, 0);
   slots.near_first.assign(blocks() + 1, 0);
   slots.count.assign(end_of_own, 0);

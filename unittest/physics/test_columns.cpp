@@ -184,3 +184,20 @@ INSTANTIATE_TEST_SUITE_P(Viscosities, ParticlesInAnyOrder, testing::ValuesIn(VIS
                          [](const testing::TestParamInfo<Viscosity> &info) {
                            return name_of(info.param);
                          });
+
+// a lattice that is 1.3 % longer along y, h the square root of a particle's area: two spacings along x lie
+// within two h, where the kernel's gradient is next to nothing, and are no partners
+
+TEST(Partners, OnTheEdgeOfTheKernelAreNone)
+{
+  Cloud c = lattice(2, 7);
+  c.opt.frame = Frame::LAGRANGIAN;
+  c.opt.h = c.spacing;
+  const double longer = std::sqrt(1.0127);
+  for (Vector3d &x : c.x) x = Vector3d(x[0] / longer, x[1] * longer, 0.0);
+  c.refer();
+  c.evaluate();
+  EXPECT_LT(2.0 / longer, 2.0);
+  EXPECT_EQ(c.sweeps->neighbor_count(middle(c)), 8);
+  EXPECT_EQ(c.sweeps->neighbor_count(0), 3);
+}

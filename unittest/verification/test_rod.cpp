@@ -65,15 +65,17 @@ struct Shot {
 
 constexpr int SHOTS = 5;
 
-std::vector<Shot> rod(MPI_Comm comm, const std::string &newton, int nshots = SHOTS)
+std::vector<Shot> rod(MPI_Comm comm, const std::string &newton, int nshots = SHOTS,
+                      const std::string &h = "1.5", const std::string &part = "whole")
 {
   const std::string input = shared_file("in.taylor", comm), output = shared_file("output", comm);
   if (first_rank(comm)) write_file("in.taylor", taylor(newton));
   MPI_Barrier(comm);
 
   Session s(comm);
-  s("variable frame index " + frame_under_test() + "\nvariable h index 1.5\nvariable out index " +
-    output + "\ninclude " + input + "\n");
+  s("variable frame index " + frame_under_test() + "\nvariable h index " + h +
+    "\nvariable part index " + part + "\nvariable out index " + output + "\ninclude " + input +
+    "\n");
   std::vector<Shot> shots;
   for (int k = 1; k <= nshots; k++) {
     s("unfix stop\nfix stop all halt 1 v_time >= " + num(k * 1.0e-5) +
@@ -126,6 +128,23 @@ TEST_P(Rod, IsTheSameOnAllRanks)
     for (int i = 0; i < 8; i++)
       EXPECT_NEAR(one[k].energy[i], all[k].energy[i], 1.0e-12 * one[k].energy[7]) << i;
   }
+}
+
+// half a rod and its mirror image are a whole one, at the time of largest changes: to rounding, and
+// half of the energies
+
+TEST(HalfRod, IsHalfOfTheWholeOne)
+{
+  if (!first_rank()) return;
+  const std::string h = frame_under_test() == "lagrangian" ? "1.0" : "1.5";
+  const Shot whole = rod(MPI_COMM_SELF, "off", 2, h).back(),
+             half = rod(MPI_COMM_SELF, "off", 2, h, "half").back();
+  EXPECT_EQ(whole.state.size(), 21u * 67u);
+  EXPECT_EQ(half.state.size(), 11u * 67u);
+  EXPECT_NEAR(half.length / whole.length, 1.0, 1.0e-12);
+  EXPECT_NEAR(half.foot / whole.foot, 1.0, 1.0e-12);
+  for (int i = 0; i < 8; i++)
+    EXPECT_NEAR(2.0 * half.energy[i], whole.energy[i], 1.0e-11 * whole.energy[7]) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(Newton, Rod, testing::Values("off", "on"), [](const auto &info) {
