@@ -70,6 +70,7 @@ REFINES = (0.5, 1, 2)
 STOCK_ROD = [replace(methods.BY_KEY["ulsph"], key=f"ulsph-{q1}", title=f"smd/ulsph, Q1 = {q1}", variables={"viscosity": q1})
              for q1 in (1.0, 0.3)]
 STOCK_ROD.append(replace(methods.BY_KEY["tlsph"], stock="ulsph", variables={"style": "tlsph", "viscosity": 0.06, "support": 2.0}))
+HALF = replace(DEFAULT, key="L-correct-half", title="correct, half a rod", variables={**DEFAULT.variables, "part": "half"})
 MIRRORED = replace(DEFAULT, key="L-correct-symmetry", title="correct, symmetry wall", variables={**DEFAULT.variables, "wall": "symmetry"})
 
 
@@ -85,8 +86,8 @@ def rod(method, refine):
 
 def rod_runs():
     for refine in REFINES:
-        for method in OURS + [MIRRORED] + STOCK_ROD:
-            if refine < 2 or method.key in FEW + ("ulsph-1.0", "tlsph", "L-correct-symmetry", "L-limited05"):
+        for method in OURS + [HALF, MIRRORED] + STOCK_ROD:
+            if refine < 2 or method.key in FEW + ("ulsph-1.0", "tlsph", "L-correct-half", "L-correct-symmetry", "L-limited05"):
                 yield rod(method, refine)
 
 
