@@ -611,6 +611,11 @@ void FixSPHSolidPartners::unpack_restart(int i, int nth)
   int m = 0;
   for (int k = 0; k < nth; k++) m += static_cast<int>(extra[m]);
   const int n = static_cast<int>(ubuf(extra[m + 1]).i);
+  if (static_cast<int>(extra[m]) != 4 + dim + std::max(n, 0))
+    error->one(FLERR, Error::NOLASTLINE,
+               "sph/solid, frame lagrangian: the restart file has {} numbers for the reference of "
+               "particle {}, expected {}: it was written by another version of the package",
+               static_cast<int>(extra[m]), atom->tag[i], 4 + dim + std::max(n, 0));
   widen(n);
   unpack_row(i, extra + m + 1);
 }

@@ -220,10 +220,11 @@ double PairSPHSolid::largest_cutoff()
 }
 
 // partners are known, and in three dimensions their neighbor list is a tenth of all memory: give its
-// pages back, unless another list has been made from it
+// pages back, unless another list has been made from it or it is another list itself
 
 void PairSPHSolid::empty_list()
 {
+  if (list->copy && !list->trim) return;
   for (int k = 0; k < neighbor->nlist; k++) {
     const NeighList *other = neighbor->lists[k];
     if (other->listcopy == list || other->listskip == list || other->listfull == list) return;

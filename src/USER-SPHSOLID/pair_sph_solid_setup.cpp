@@ -130,6 +130,7 @@ void PairSPHSolid::init_style()
         log_material(lmp, i, types[i].material, types[i].h, types[i].spacing);
   logged = true;
   warned_lost = warned_overload = resonance_wanted = false;
+  resume = false;    // fix sph/solid will say so, whose init() comes later
 
   if (sweeps) *kept = sweeps->ledger;
   delete sweeps;

@@ -22,9 +22,10 @@ static constexpr double SUPPORT = 2.0 * (1.0 - 1.0e-8);
 
 // and of partners in the reference, which has a gradient B that makes up for what is left out.
 // Where q = 1.98 the kernel's gradient is 4e-4 of that where q = 1, and a slot costs
-// as much as any other: a lattice that is not quite square has whole rows of such pairs
+// as much as any other: a lattice that is not quite square has whole rows of such pairs.  A
+// little less than a round number, for the reason above: seen from i and from j a pair is one
 
-static constexpr double PARTNER_SUPPORT = 1.98;
+static constexpr double PARTNER_SUPPORT = 1.98 * (1.0 - 1.0e-8);
 
 template <int D> struct CubicSpline {
   static_assert(D == 2 || D == 3, "plane strain or three dimensions");

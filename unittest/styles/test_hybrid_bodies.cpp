@@ -181,6 +181,41 @@ TEST(HybridBody, MovesParticlesOfAnotherStyleWithAMass)
 }
 
 /* ----------------------------------------------------------------------
+   neighbor lists that LAMMPS shares: it has one for the group, and that of the pair style is a copy of
+   it, whose arrays are not to be given back when partners are known
+------------------------------------------------------------------------- */
+
+TEST(SharedNeighborList, OfADynamicGroupChangesNothing)
+{
+  for (const std::string &frame : FRAMES) {
+    SCOPED_TRACE(frame);
+    Block b;
+    b.nx = b.ny = 10;
+    b.frame = frame;
+    b.motion = "velocity all ramp vx -50 50 x 0.0 0.009 units box\n";
+    const std::string steps = "run 0\nrun 100\nrun 100";
+    const Result plain = result(b.script(), steps);
+    b.motion += "group near dynamic all within 2.0e-3 every 1\n";
+    expect_equal(plain, result(b.script(), steps));
+  }
+}
+
+TEST(SharedNeighborList, OfAnotherPairStyleChangesNothing)
+{
+  for (const std::string &frame : FRAMES) {
+    SCOPED_TRACE(frame);
+    Block b;
+    b.nx = b.ny = 10;
+    b.frame = frame;
+    b.motion = "velocity all ramp vx -50 50 x 0.0 0.009 units box\n";
+    const std::string steps = "run 0\nrun 100\nrun 100";
+    std::string other = in_hybrid(b, "zero");
+    replace(other, "zero 2e-3", "zero 2.574e-3 full");
+    expect_equal(result(b.script(), steps), result(other, steps));
+  }
+}
+
+/* ----------------------------------------------------------------------
    energies
 ------------------------------------------------------------------------- */
 

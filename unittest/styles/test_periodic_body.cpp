@@ -181,6 +181,35 @@ TEST(LagrangianPeriodic, TriclinicBoxIsRefused)
               HasSubstr("sph/solid, frame lagrangian: a triclinic box cannot be periodic"));
 }
 
+// partners would lie exactly where they end, at 1.98h, and distances across the boundary are rounded in
+// one way from one side and in another from the other
+
+TEST(LagrangianPeriodic, PartnersAtTheEndOfTheKernelAreMutual)
+{
+  for (const double h : {1.0e-3 / 0.99, 2.0e-3 / 1.98}) {
+    Block b;
+    b.boundary = "p p";
+    b.box = "0 0.02 0 0.02";
+    b.nx = b.ny = 20;
+    b.h = h;
+    b.options = "viscosity none";
+    b.frame = "lagrangian";
+    b.motion = "variable vx atom 10+2*sin(2*PI*x/lx)+sin(2*PI*y/ly)\n"
+               "variable vy atom 5+2*sin(2*PI*y/ly)\nvelocity all set v_vx v_vy 0 units box\n";
+    Session s;
+    s(b.script());
+    s("compute n all sph/solid/atom neigh\ncompute few all reduce min c_n\n"
+      "compute many all reduce max c_n\nthermo_style custom step c_few c_many\n"
+      "variable px equal vcm(all,x)\nvariable py equal vcm(all,y)\nrun 0");
+    EXPECT_EQ(s.value("c_few"), 8.0);
+    EXPECT_EQ(s.value("c_many"), 8.0);
+    const double px = s.value("v_px"), py = s.value("v_py");
+    s("run 500");
+    EXPECT_NEAR(s.value("v_px"), px, 1.0e-12 * px);
+    EXPECT_NEAR(s.value("v_py"), py, 1.0e-12 * px);
+  }
+}
+
 TEST(LagrangianPeriodic, ChangingBoxIsRefused)
 {
   Session s;
