@@ -352,6 +352,20 @@ TEST_P(NotContinued, KeepsTheEnergy)
   }
 }
 
+TEST_P(NotContinued, KeepsTheEnergyInTheFirstStepsToo)
+{
+  for (const std::string &frame : frames()) {
+    SCOPED_TRACE(frame);
+    Session s;
+    s(script(frame));
+    s("run 20\n");
+    const double before = s.value("c_e");
+    s(GetParam().input);
+    s("run 20");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-8 * before);
+  }
+}
+
 // the pair energy is the stored one, and the energy of the compute has the half step in addition
 
 TEST_P(NotContinued, HasNoHeatToCome)
