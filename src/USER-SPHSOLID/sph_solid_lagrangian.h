@@ -13,7 +13,7 @@
 
    Every lane has a particle of its own: a block has as many particles as there are lanes,
    side by side in columns (sph_solid_columns.h), and their pairs come in slots
-   (sph_solid_slots.h).
+   (sph_solid_slots.h), of which those that are alike share what is constant (sph_solid_shared.h).
 
    With X reference positions, V0 reference volumes, g_ij = grad_i W(X_i - X_j):
 
@@ -119,11 +119,11 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   Rows B, F;    // of own particles; B on and above the diagonal, F only where nobody reads C
   Rows damp;    // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
   Rows pull;    // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
-  // of slots with nearest partners: m_j Wbar_ij, then weights; weights safe: force on i = m_i/2
-  // near_pull x_ij
+  // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
+  // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
   SharedVectors<double, LANES> near_weight;
   Rows near_pull;
-  std::vector<int> near_in_order;    // 0, 1, ...: pulls are not shared
+  std::vector<int> near_in_order;
   Rows mu_max, early;    // of own: largest approach rate; power of forces on their velocities
   Totals early_totals;
   bool weights_known = false;
