@@ -24,6 +24,7 @@
 #include "modify.h"
 #include "pair_sph_solid.h"
 #include "sph_solid_fingerprint.h"
+#include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
 #include "update.h"

@@ -21,6 +21,7 @@
 #include "fix_sph_solid_partners.h"
 #include "force.h"
 #include "sph_solid_fingerprint.h"
+#include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 
 #include <algorithm>

@@ -1,16 +1,13 @@
 /* ----------------------------------------------------------------------
    A number that any change of some numbers, to the last bit, changes; of many, in any
-   order and on any number of ranks, their sum.
+   order and on any number of ranks, their sum (sph_solid_ranks.h).
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_FINGERPRINT_H
 #define LMP_SPH_SOLID_FINGERPRINT_H
 
-#include "lmptype.h"
-
 #include <cstdint>
 #include <cstring>
-#include <mpi.h>
 
 namespace SPHSolid {
 
@@ -29,17 +26,6 @@ class Fingerprint {
  private:
   std::uint64_t hash;
 };
-
-// as bigint: the MPI stubs of a serial LAMMPS know no unsigned type
-
-inline std::uint64_t sum_over_ranks(std::uint64_t value, MPI_Comm world)
-{
-  LAMMPS_NS::bigint mine, all;
-  std::memcpy(&mine, &value, sizeof(mine));
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  std::memcpy(&value, &all, sizeof(all));
-  return value;
-}
 
 }    // namespace SPHSolid
 

@@ -189,11 +189,12 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   {
     for (int a = 0; a < D; a++) out[a] = component(i, c + a) - component(j, c + a);
   }
-  // V0_j grad_i W = this times X_ij
-  Pack factor(int slot, const double *j) const
+  // V0_j grad_i W = this times X_ij; of the constants of a slot
+  static Pack factor(const float *constants, const double *j)
   {
-    return load(slots.constants.of(slot) + Slots::FACTOR) * component(j, WEIGHT);
+    return load(constants + Slots::FACTOR) * component(j, WEIGHT);
   }
+  Pack factor(int slot, const double *j) const { return factor(slots.constants.of(slot), j); }
   static Components<D> motion(const double *i, const double *j)
   {
     Components<D> d;
@@ -282,10 +283,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   Pack corrected_along(const double *i, const double *j, int a) const
   {
     return component(i, at_along + a) - component(j, at_along + a);
-  }
-  int near_slot(int slot, int block) const
-  {
-    return slot - slots.first[block] + slots.near_first[block];
   }
   // what the nearest pairs of a block are multiplied by
   SharedVectors<double, LANES>::Run near_factors(int block) const

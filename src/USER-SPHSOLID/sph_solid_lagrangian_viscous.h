@@ -94,11 +94,12 @@ template <int D> void LagrangianSweeps<D>::find_weights()
   each_block([&](int block, const Batch &, Totals &) {
     const double *i = columns.at(block * LANES);
     const int first = slots.first[block];
+    const auto near = near_weight.from(slots.near_first[block]);
     Rows of_block(slots.nearest(block) * LANES);
     Scratch scratch;
     for (int k = 0; k < slots.nearest(block); k++) {
       const double *j = neighbors(first + k, block, FIXED, scratch);
-      const Pack m_wbar = load(near_weight.of(near_slot(first + k, block)));
+      const Pack m_wbar = load(near.of(k));
       const Pack w = correction_weight(opt.weights, m_wbar, component(i, LAST), component(j, LAST));
       store(&of_block[k * LANES], where_positive(m_wbar, w, Pack(0.0)));
     }
@@ -115,16 +116,16 @@ template <int D> void LagrangianSweeps<D>::find_weights()
 template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
 {
   const double *i = columns.at(block * LANES);
+  const auto near = near_weight.from(slots.near_first[block]);
+  double *pulls = near_pull.data() + slots.near_first[block] * std::size_t(LANES);
   Scratch scratch;
-  for (int s = slots.first[block]; s < slots.first[block] + slots.nearest(block); s++) {
-    const double *j = neighbors(s, block, T, scratch);
+  for (int n = 0; n < slots.nearest(block); n++, pulls += LANES) {
+    const double *j = neighbors(slots.first[block] + n, block, T, scratch);
     const Components<D> d = motion(i, j);
     Pack a[D], ax = 0.0;
     difference(i, j, at_da, a);
     for (int k = 0; k < D; k++) ax = multiply_add(a[k], d.x[k], ax);
-    const int n = near_slot(s, block);
-    const Pack pull = safe_pull(ax, d.v_dot_x(), d.x_dot_x());
-    store(&near_pull[n * std::size_t(LANES)], load(near_weight.of(n)) * pull);
+    store(pulls, load(near.of(n)) * safe_pull(ax, d.v_dot_x(), d.x_dot_x()));
   }
 }
 

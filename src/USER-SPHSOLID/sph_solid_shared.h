@@ -10,9 +10,9 @@
 #ifndef LMP_SPH_SOLID_SHARED_H
 #define LMP_SPH_SOLID_SHARED_H
 
+#include "sph_solid_fingerprint.h"
 #include "sph_solid_vector.h"
 
-#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -38,7 +38,7 @@ template <class Number, int N> class SharedVectors {
   {
     entry.assign(vectors, 0);
     data.clear();
-    recent.assign(RECENT, -1);
+    recent.assign(std::size_t(1) << PLACE_BITS, -1);
   }
   // those of several vectors, one after the other; one thread at a time
   void enter(std::size_t first, const Numbers &of)
@@ -65,9 +65,9 @@ template <class Number, int N> class SharedVectors {
   }
 
  private:
-  // the last entries, each at a place that follows from its bits: one that is not there any more
+  // the last entries, each at a place that follows from its numbers: one that is not there any more
   // is entered again
-  static constexpr std::size_t RECENT = 4096;
+  static constexpr int PLACE_BITS = 12;
   std::vector<int> recent;
 
   std::vector<int> entry;    // of every vector
@@ -75,7 +75,7 @@ template <class Number, int N> class SharedVectors {
 
   int place(const Number *numbers)
   {
-    int &known = recent[hash(numbers)];
+    int &known = recent[place_of(numbers)];
     if (known >= 0 && std::memcmp(entry_at(known), numbers, N * sizeof(Number)) == 0) return known;
     known = static_cast<int>(data.size() / N);
     data.insert(data.end(), numbers, numbers + N);
@@ -83,16 +83,11 @@ template <class Number, int N> class SharedVectors {
   }
   const Number *entry_at(int k) const { return &data[static_cast<std::size_t>(k) * N]; }
 
-  std::size_t hash(const Number *numbers) const    // FNV-1a, by words of 32 bits
+  static std::size_t place_of(const Number *numbers)
   {
-    std::uint64_t sum = 14695981039346656037u;
-    const char *bytes = reinterpret_cast<const char *>(numbers);
-    for (std::size_t at = 0; at < N * sizeof(Number); at += sizeof(std::uint32_t)) {
-      std::uint32_t word;
-      std::memcpy(&word, bytes + at, sizeof(word));
-      sum = (sum ^ word) * 1099511628211u;
-    }
-    return (sum >> 32) % RECENT;
+    Fingerprint print(N);
+    for (int k = 0; k < N; k++) print.add(static_cast<double>(numbers[k]));
+    return print.value() >> (64 - PLACE_BITS);    // the highest bits depend on all numbers
   }
 };
 

@@ -34,7 +34,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
     const double *j = neighbors(s, block, last, scratch);
     prefetch_ahead(s, j, T);
     const Components<D> d = motion(i, j);
-    const Pack F = load(constants.of(s - first) + Slots::FACTOR) * component(j, WEIGHT);
+    const Pack F = factor(constants.of(s - first), j);
     Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
     difference(i, j, REFERENCE, g);
     for (int a = 0; a < D; a++) {

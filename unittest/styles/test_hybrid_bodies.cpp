@@ -185,18 +185,25 @@ TEST(HybridBody, MovesParticlesOfAnotherStyleWithAMass)
    it, whose arrays are not to be given back when partners are known
 ------------------------------------------------------------------------- */
 
+Block stretched(const std::string &frame)
+{
+  Block b;
+  b.nx = b.ny = 10;
+  b.frame = frame;
+  b.motion = "velocity all ramp vx -50 50 x 0.0 0.009 units box\n";
+  return b;
+}
+
+const std::string THREE_RUNS = "run 0\nrun 100\nrun 100";
+
 TEST(SharedNeighborList, OfADynamicGroupChangesNothing)
 {
   for (const std::string &frame : FRAMES) {
     SCOPED_TRACE(frame);
-    Block b;
-    b.nx = b.ny = 10;
-    b.frame = frame;
-    b.motion = "velocity all ramp vx -50 50 x 0.0 0.009 units box\n";
-    const std::string steps = "run 0\nrun 100\nrun 100";
-    const Result plain = result(b.script(), steps);
+    Block b = stretched(frame);
+    const Result plain = result(b.script(), THREE_RUNS);
     b.motion += "group near dynamic all within 2.0e-3 every 1\n";
-    expect_equal(plain, result(b.script(), steps));
+    expect_equal(plain, result(b.script(), THREE_RUNS));
   }
 }
 
@@ -204,14 +211,10 @@ TEST(SharedNeighborList, OfAnotherPairStyleChangesNothing)
 {
   for (const std::string &frame : FRAMES) {
     SCOPED_TRACE(frame);
-    Block b;
-    b.nx = b.ny = 10;
-    b.frame = frame;
-    b.motion = "velocity all ramp vx -50 50 x 0.0 0.009 units box\n";
-    const std::string steps = "run 0\nrun 100\nrun 100";
+    const Block b = stretched(frame);
     std::string other = in_hybrid(b, "zero");
     replace(other, "zero 2e-3", "zero 2.574e-3 full");
-    expect_equal(result(b.script(), steps), result(other, steps));
+    expect_equal(result(b.script(), THREE_RUNS), result(other, THREE_RUNS));
   }
 }
 
