@@ -27,12 +27,34 @@ namespace {
 // a sweep asks for the data of pairs so many pairs ahead
 constexpr int PAIRS_AHEAD = 64;
 
+// call with flags as constants
+
+template <class Call> void with_flags(Call call)
+{
+  call();
+}
+template <class Call, class... Flags> void with_flags(Call call, bool first, Flags... others)
+{
+  if (first)
+    with_flags(
+        [&](auto... flags) {
+          call(std::true_type(), flags...);
+        },
+        others...);
+  else
+    with_flags(
+        [&](auto... flags) {
+          call(std::false_type(), flags...);
+        },
+        others...);
+}
+
 template <int D> class EulerianSweeps : public PointSweeps<D> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
       PointSweeps<D>(o, t),
       ntensors((o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0)),
-      stress_stride(extra(ntensors))
+      stress_stride(extra(ntensors)), uniform(are_alike(t))
   {
   }
 
@@ -57,7 +79,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   using Base = PointSweeps<D>;
   using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
       Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
-      Base::types;
+      Base::types, Base::unit_factor;
   using Batch = typename Base::Batch;
   using Points = typename Base::Points;
   using Kin = Kinematics<D>;
@@ -65,16 +87,27 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   static constexpr int VECTOR = Blocks<D>::VECTOR;
 
   const int ntensors, stress_stride;    // tensors that follow the fixed part of a stress row
+  const bool uniform;                   // is there one smoothing length, and one spacing?
   int nown = 0, nrows = 0;              // own; own and ghost with images
 
   Rows krow, srow, da;           // rows of kinematics, stress, da
   std::vector<double> mu_max;    // largest approach rate of own particles
   Pairs pairs;
-  std::vector<double> near_weight;    // of pairs of nearest neighbors, for the correction
-  std::vector<double> near_pull;      // weights safe: force on i = m_i/2 near_pull x_ij
-  std::vector<double> pull;     // viscous force on i = -own weight * pull * x_ij, kept for heat
-  std::vector<double> crowd;    // of every pair, with artificial stress: (W/W(spacing))^n
+  Room<double> near_weight;    // of pairs of nearest neighbors, for the correction
+  Room<double> near_pull;      // weights safe: force on i = m_i/2 near_pull x_ij
+  Room<double> pull;           // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
+  Room<double> crowd;          // of every pair, with artificial stress: (W/W(spacing))^n
 
+  static bool are_alike(const std::vector<TypeData> &types)
+  {
+    const TypeData *one = nullptr;
+    for (const TypeData &type : types) {
+      if (type.h == 0.0) continue;    // no material
+      if (one && (type.h != one->h || type.spacing != one->spacing)) return false;
+      one = &type;
+    }
+    return true;
+  }
   const double *kin(int i) const { return &krow[i * Kin::STRIDE]; }
   double *str(int i) { return &srow[i * stress_stride]; }
   const double *str(int i) const { return &srow[i * stress_stride]; }
@@ -92,7 +125,8 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   bool is_lonely(int i) const { return needs_correction() && !(str(i)[Str::NSUM] > 0.0); }
 
   // rows
-  void size_rows(const Particles &, const NeighborRows &);
+  void size_rows(const Particles &);
+  void make_room_for_pairs(const NeighborRows &);
   void pack_constants(const Particles &, int i, double *row) const;
   void mirror_vectors(double *rows, int stride) const;
   double *place_of(Message, int i);
@@ -106,14 +140,15 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
     double nsum[LANES];                           // sum m_j Wbar
   };
   struct Scratch;
-  void gather(int i, int n, const int *list, Scratch &) const;
-  void find_pairs(int i, const NeighborRows &, Scratch &);
-  void accumulate(int i, Sums &, int lane);
+  template <bool UNIFORM> void gather(int i, int n, const int *list, Scratch &) const;
+  template <bool UNIFORM> void find_pairs(int i, const NeighborRows &, Scratch &);
+  template <bool UNIFORM> void accumulate(int i, Sums &, int lane);
+  template <bool UNIFORM> void find_sums(const Batch &, const NeighborRows &, Scratch &, Sums &);
   int update(const Particles &, const Batch &, Sums &, double dt, double &plastic);
   Tensor<D, Pack> tension_stress(const Tensor<D, Pack> &) const;
 
   // force
-  template <PairForm FORM, bool TENSILE> void force_row(const Particles &, int i);
+  template <PairForm FORM, bool TENSILE, bool UNIFORM> void force_row(const Particles &, int i);
   template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
   double whole_pull(int i, int pair) const;
   void lonely_pairs(const Particles &, int i);
@@ -123,11 +158,10 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   template <class F> void each_few(int i, F call) const
   {
     const Pack own = load_few<D>(&da[i * VECTOR]);
-    const int first = pairs.first[i], end = first + pairs.nearest[i];
-    for (int k = first; k < end; k += Few<D>::N) {
-      const int *j = &pairs.j[k];
-      call(load_few_weights<D>(&near_weight[k]), j, own - load_few<D>(da.data(), j, VECTOR));
-    }
+    const int *j = &pairs.j[pairs.first[i]];
+    const double *weights = &near_weight[pairs.near_first[i]];
+    for (int k = 0; k < pairs.nearest[i]; k += Few<D>::N)
+      call(load_few_weights<D>(weights + k), j + k, own - load_few<D>(da.data(), j + k, VECTOR));
   }
   Pack central_correction(int i);
 
@@ -153,7 +187,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
 
   Several<D> row_virial(int i) const;
   Pack pair_force(int i, int pair, const Motion<D> &) const;
-  Pack near_force(int i, int pair, const Motion<D> &) const;
+  Pack near_force(int i, int j, int near, const Motion<D> &) const;
 };
 
 }    // namespace

@@ -9,28 +9,6 @@
 
 namespace {
 
-// call with flags as constants
-
-template <class Call> void with_flags(Call call)
-{
-  call();
-}
-template <class Call, class... Flags> void with_flags(Call call, bool first, Flags... others)
-{
-  if (first)
-    with_flags(
-        [&](auto... flags) {
-          call(std::true_type(), flags...);
-        },
-        others...);
-  else
-    with_flags(
-        [&](auto... flags) {
-          call(std::false_type(), flags...);
-        },
-        others...);
-}
-
 /* ----------------------------------------------------------------------
    heat: compatible with the pair forces, so that kinetic plus internal
    energy is constant to rounding for any displacement that the kick makes
@@ -40,6 +18,11 @@ template <int D>
 void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
 {
   mirror_vectors(&krow[Kin::V], Kin::STRIDE);
+  // next to what else is read of a neighbor, where its volume lies until velocities are new
+  each_share(nthreads, nrows, [&](int first, int end) {
+    for (int row = first; row < end; row++)
+      krow[static_cast<std::size_t>(row) * Kin::STRIDE + Kin::VOLUME] = str(row)[Str::K];
+  });
   typename Base::Totals totals;
   with_flags(
       [&](auto pull, auto tensile, auto correct) {
@@ -91,39 +74,42 @@ template <bool PULL, bool TENSILE, bool CORRECT>
 typename EulerianSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
   constexpr int R_AT = extra(0);
-  const double *kall = krow.data(), *sall = srow.data(), *si = str(i);
-  const int stride = stress_stride;
+  const double *kall = krow.data(), *si = str(i);
   const Motion<D> own(kin(i));
   const Pack own_da = Motion<D>::load_vector(Addresses(CORRECT ? &da[i * VECTOR] : kin(i)));
   Several<D> gradient = Several<D>::zero(), crowded = gradient;
   Pack viscous(0.0), corrected(0.0);
-  auto add = [&](int k, auto nearest) {
-    const int *j = &pairs.j[k];
-    const Spread factor(-load(&pairs.factor[k])),
-        tensile(load(TENSILE ? &crowd[k] : &pairs.factor[k])),
-        pulled(load(PULL ? &pull[k] : &pairs.factor[k])),
-        weight(load(nearest() ? &near_weight[k] : &pairs.factor[k]));
+  const int first = pairs.first[i], count = pairs.count[i],
+            nearest = CORRECT ? pairs.nearest[i] : 0;
+  const double *weights = near_weight.data() + pairs.near_first[i];
+  auto add = [&](int k, auto near) {
+    const int *j = &pairs.j[first + k];
+    const Pack none(0.0);
+    const Spread factor(-load(&pairs.factor[first + k])),
+        tensile(TENSILE ? load(&crowd[first + k]) : none),
+        pulled(PULL ? load(&pull[first + k]) : none), weight(near() ? load(weights + k) : none);
     for (int m = 0; m < BLOCK; m++) {
-      const Motion<D> d = own - Motion<D>(Addresses(kall, j + m, Kin::STRIDE));
-      const Pack K_j = load_all(Addresses(sall, j + m, stride) + Str::K);
-      const Several<D> g = d.spread_x() * (K_j * factor[m]);
-      add_outer(gradient, d.expanded_v(), g);
-      if (TENSILE) add_outer(crowded, d.expanded_v(), g * tensile[m]);
+      const Addresses kj(kall, j + m, Kin::STRIDE);
+      const Motion<D> d = own - Motion<D>(kj);
+      const Pack K_j = load_all(kj + Kin::VOLUME);
+      const Several<D> X = d.spread_x();
+      const Pack v = d.expanded_v() * (K_j * factor[m]);
+      add_outer(gradient, v, X);
+      if (TENSILE) add_outer(crowded, v * tensile[m], X);
       if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
-      if (nearest()) {
+      if (near()) {
         const Pack da_j = Motion<D>::load_vector(Addresses(da.data(), j + m, VECTOR));
         corrected = multiply_add(weight[m], d.products(own_da - da_j), corrected);
       }
     }
   };
-  int k = pairs.first[i];
-  const int end = k + pairs.count[i], end_nearest = k + (CORRECT ? pairs.nearest[i] : 0);
-  for (; k < end_nearest; k += LANES) add(k, std::bool_constant<CORRECT>());
-  for (; k < end; k += LANES) add(k, std::false_type());
+  int k = 0;
+  for (; k < nearest; k += LANES) add(k, std::bool_constant<CORRECT>());
+  for (; k < count; k += LANES) add(k, std::false_type());
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
   const double mass = kin(i)[Kin::MASS];
-  return {si[Str::K] * stress, 0.5 * mass * Motion<D>::v_dot_x(viscous),
+  return {unit_factor * si[Str::K] * stress, 0.5 * unit_factor * mass * Motion<D>::v_dot_x(viscous),
           -0.25 * mass * Motion<D>::v_dot_x(corrected)};
 }
 
@@ -161,10 +147,12 @@ template <int D> double EulerianSweeps<D>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
   if (safe()) {
+    const int *j = &pairs.j[pairs.first[i]];
+    const double *pulls = &near_pull[pairs.near_first[i]];
     double power = 0.0;
-    for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++)
+    for (int k = 0; k < pairs.nearest[i]; k++)
       for (int a = 0; a < D; a++)
-        power -= near_pull[k] * (u(i)[a] - u(pairs.j[k])[a]) * (kin(i)[a] - kin(pairs.j[k])[a]);
+        power -= pulls[k] * (u(i)[a] - u(j[k])[a]) * (kin(i)[a] - kin(j[k])[a]);
     return 0.25 * kin(i)[Kin::MASS] * power;
   }
   const Pack ui = load_few<D>(u(i));
@@ -203,15 +191,13 @@ void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, doub
 template <int D> Several<D> EulerianSweeps<D>::row_virial(int i) const
 {
   const Motion<D> own(kin(i));
-  const int first = pairs.first[i];
   Several<D> sum = Several<D>::zero();
-  for (int k = first; k < first + pairs.count[i]; k++) {
-    const Motion<D> d = own - Motion<D>(kin(pairs.j[k]));
-    add_outer(sum, pair_force(i, k, d), d.spread_x());
-  }
-  for (int k = first; k < first + pairs.nearest[i]; k++) {
-    const Motion<D> d = own - Motion<D>(kin(pairs.j[k]));
-    add_outer(sum, near_force(i, k, d), d.spread_x());
+  for (int k = 0; k < pairs.count[i]; k++) {
+    const int pair = pairs.first[i] + k;
+    const Motion<D> d = own - Motion<D>(kin(pairs.j[pair]));
+    Pack force = pair_force(i, pair, d);
+    if (k < pairs.nearest[i]) force += near_force(i, pairs.j[pair], pairs.near_first[i] + k, d);
+    add_outer(sum, force, d.spread_x());
   }
   return sum;
 }
@@ -225,20 +211,21 @@ inline Pack EulerianSweeps<D>::pair_force(int i, int pair, const Motion<D> &d) c
   Several<D> T = load_tensor<D>(si) + load_tensor<D>(sj);
   if (opt.tensile)
     T = T + (load_tensor<D>(si + extra(0)) + load_tensor<D>(sj + extra(0))) * Pack(crowd[pair]);
-  const Several<D> g = d.spread_x() * Pack(si[Str::K] * sj[Str::K] * pairs.factor[pair]);
+  const Several<D> g =
+      d.spread_x() * Pack(unit_factor * si[Str::K] * sj[Str::K] * pairs.factor[pair]);
   return expanded<D>(times(T, g)) - Pack(whole_pull(i, pair)) * d.expanded_x();
 }
 
-// what the correction puts on i for its nearest neighbor in a pair, expanded
+// what the correction puts on i for its nearest neighbor j, number `near` of all, expanded
 
 template <int D>
-inline Pack EulerianSweeps<D>::near_force(int i, int pair, const Motion<D> &d) const
+inline Pack EulerianSweeps<D>::near_force(int i, int j, int near, const Motion<D> &d) const
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
-  if (safe()) return Pack(half * near_pull[pair]) * d.expanded_x();
-  const Pack difference = load_expanded<D>(Addresses(&da[i * VECTOR])) -
-      load_expanded<D>(Addresses(&da[pairs.j[pair] * VECTOR]));
-  return Pack(half * near_weight[pair]) * difference;
+  if (safe()) return Pack(half * near_pull[near]) * d.expanded_x();
+  const Pack difference =
+      load_expanded<D>(Addresses(&da[i * VECTOR])) - load_expanded<D>(Addresses(&da[j * VECTOR]));
+  return Pack(half * near_weight[near]) * difference;
 }
 
 }    // namespace

@@ -18,12 +18,11 @@ template <int D>
 void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
 {
   Base::find_image_candidates(p, list, p.x, reach);
-  size_rows(p, list);
-  if (needs_correction()) near_weight.resize(pairs.j.size());
-  if (opt.tensile) crowd.resize(pairs.j.size());
+  size_rows(p);
+  make_room_for_pairs(list);
 }
 
-template <int D> void EulerianSweeps<D>::size_rows(const Particles &p, const NeighborRows &list)
+template <int D> void EulerianSweeps<D>::size_rows(const Particles &p)
 {
   nown = p.nlocal;
   nparticles = p.nall;
@@ -31,25 +30,32 @@ template <int D> void EulerianSweeps<D>::size_rows(const Particles &p, const Nei
   krow.resize(static_cast<std::size_t>(nrows) * Kin::STRIDE);
   srow.resize(static_cast<std::size_t>(nrows) * stress_stride);
   if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * VECTOR);
-  mu_max.assign(p.nlocal, 0.0);
-  pairs.first.assign(p.nlocal + 1, 0);
-  pairs.count.assign(p.nlocal, 0);
-  pairs.nearest.assign(p.nlocal, 0);
-
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
-    pairs.first[i + 1] = list.numneigh[i];
-  }
-  for (int i = 0; i < p.nlocal; i++) {
-    if (images.any()) pairs.first[i + 1] += image_first[i + 1] - image_first[i];
-    pairs.first[i + 1] = pairs.first[i] + whole_vectors(pairs.first[i + 1]);
-  }
-  pairs.j.resize(pairs.first[p.nlocal]);
-  pairs.factor.resize(pairs.first[p.nlocal]);
+  if (this->limits_step) mu_max.assign(p.nlocal, 0.0);
+  for (std::vector<int> *of : {&pairs.first, &pairs.count, &pairs.near_first, &pairs.nearest})
+    of->assign(p.nlocal, 0);
   each_share(nthreads, nrows, [&](int first, int end) {
     for (int row = first; row < end; row++)
       pack_constants(p, source_of(row), &krow[static_cast<std::size_t>(row) * Kin::STRIDE]);
   });
+}
+
+// for all candidates of a batch: as many pairs as there may be until neighbors are new
+
+template <int D> void EulerianSweeps<D>::make_room_for_pairs(const NeighborRows &list)
+{
+  std::size_t n = 0;
+  pairs.begin.clear();
+  for (int ii = 0; ii < list.inum; ii++) {
+    if (ii % LANES == 0) pairs.begin.push_back(static_cast<int>(n));
+    const int i = list.ilist[ii];
+    const int of_images = images.any() ? image_first[i + 1] - image_first[i] : 0;
+    n += whole_vectors(list.numneigh[i] + of_images);
+  }
+  make_room(pairs.j, n);
+  make_room(pairs.factor, n);
+  if (needs_correction()) make_room(near_weight, n);
+  if (safe()) make_room(near_pull, n);
+  if (opt.tensile) make_room(crowd, n);
 }
 
 // what a kinematic row has of a particle besides its motion
@@ -76,7 +82,7 @@ template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, con
         row[Kin::X + a] = x[a];
         row[Kin::V + a] = vi[a];
       }
-      row[Kin::VOLUME] = p.mass[i] / p.rho_weight[i];
+      row[Kin::VOLUME] = unit_factor * p.mass[i] / p.rho_weight[i];
     }
   });
   for (int k = 0; k < nrows - p.nall; k++) {
@@ -176,7 +182,7 @@ template <int D> void EulerianSweeps<D>::mirror_stress()
     lonely = false;
     for (int i = 0; i < nrows; i++) lonely = lonely || !(str(i)[Str::NSUM] > 0.0);
   }
-  if (keeps_pairs()) pull.resize(pairs.j.size());
+  if (keeps_pairs()) make_room(pull, pairs.j.size());
 }
 
 template <int D> void EulerianSweeps<D>::mirror_vectors(double *rows, int stride) const
@@ -208,11 +214,17 @@ double EulerianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows
 
 template <int D> double EulerianSweeps<D>::memory_usage() const
 {
+  std::size_t all = 0, near = 0;    // pairs: what is in use of the room for candidates
+  for (const int n : pairs.count) all += whole_vectors(n);
+  for (const int n : pairs.nearest) near += whole_vectors(n);
+  auto used = [](const Room<double> &of, std::size_t n) {
+    return of.empty() ? 0 : n;
+  };
   const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
-      mu_max.capacity() + pull.capacity() + crowd.capacity() + pairs.factor.capacity() +
-      near_weight.capacity() + near_pull.capacity();
-  const std::size_t ints = pairs.first.capacity() + pairs.count.capacity() +
-      pairs.nearest.capacity() + pairs.j.capacity() + image_first.capacity() + image_j.capacity();
+      mu_max.capacity() + used(pull, all) + used(crowd, all) + used(near_weight, near) +
+      used(near_pull, near);
+  const std::size_t ints = 2 * all + 4 * pairs.first.capacity() + pairs.begin.capacity() +
+      image_first.capacity() + image_j.capacity();
   return static_cast<double>(doubles * sizeof(double) + ints * sizeof(int));
 }
 

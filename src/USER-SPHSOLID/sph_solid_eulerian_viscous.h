@@ -61,7 +61,6 @@ template <int D> void EulerianSweeps<D>::mirror_switch()
 template <int D> void EulerianSweeps<D>::correction(const Particles &p, const NeighborRows &list)
 {
   mirror_vectors(da.data(), VECTOR);
-  if (safe()) near_pull.resize(near_weight.size());
   each_share(nthreads, list.inum, [&](int first, int end) {
     for (int ii = first; ii < end; ii++) {
       const int i = list.ilist[ii];
@@ -83,8 +82,8 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
 template <int D> Pack EulerianSweeps<D>::central_correction(int i)
 {
   double sum[LANES] = {};
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.nearest[i]; k++) {
-    const int j = pairs.j[k];
+  for (int n = 0; n < pairs.nearest[i]; n++) {
+    const int j = pairs.j[pairs.first[i] + n], k = pairs.near_first[i] + n;
     const double *dai = &da[i * VECTOR], *daj = &da[j * VECTOR];
     const Vector<D> x = separation(i, j);
     double ax = 0.0, vx = 0.0, x2 = 0.0;
@@ -105,7 +104,7 @@ template <int D> double EulerianSweeps<D>::whole_pull(int i, int pair) const
 {
   if (!keeps_pairs()) return 0.0;
   if (needs_correction() && !is_lonely(i) && !is_lonely(pairs.j[pair])) return 0.0;
-  return kin(i)[Kin::MASS] * pull[pair];
+  return kin(i)[Kin::MASS] * unit_factor * pull[pair];
 }
 
 // standard viscosity of the pairs that the correction must not touch: one of

@@ -49,9 +49,8 @@ namespace {
 template <int D> class LagrangianSweeps : public PointSweeps<D> {
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      PointSweeps<D>(o, t), unit_factor(std::pow(largest_h(t), -(D + 2))),
-      at_rate(at_C + (viscous() ? D * D : 0)), at_da(at_rate + (keeps_rates() ? D * D : 0)),
-      at_along(safe() ? X : at_da)
+      PointSweeps<D>(o, t), at_rate(at_C + (viscous() ? D * D : 0)),
+      at_da(at_rate + (keeps_rates() ? D * D : 0)), at_along(safe() ? X : at_da)
   {
   }
 
@@ -81,7 +80,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   using Base = PointSweeps<D>;
   using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
       Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
-      Base::types;
+      Base::types, Base::unit_factor;
   using Batch = typename Base::Batch;
   using Totals = typename Base::Totals;
   using Tensors = Tensor<D, Pack>;
@@ -96,15 +95,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   static constexpr int NEXT = Columns::NEXT;
   bool viscous() const { return opt.viscosity != Viscosity::NONE; }
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
-  // 1/h0^(D+2), h0 the largest smoothing length, so that what is stored in single precision is of
-  // order 1 in any units
-  const double unit_factor;
-  static double largest_h(const std::vector<TypeData> &types)
-  {
-    double h = 0.0;
-    for (const TypeData &type : types) h = std::max(h, type.h);
-    return h;
-  }
   static constexpr int at_C = FIXED;
   const int at_rate, at_da;
   const int at_along;    // what the correction's force on a pair is along

@@ -78,13 +78,6 @@ template <int D> inline Pack times(const Several<D> &T, const Several<D> &g)
   return s;
 }
 
-// result += T.g
-
-template <int D> inline void add_times(Pack &result, const Several<D> &T, const Several<D> &g)
-{
-  for (int n = 0; n < Several<D>::N; n++) result = multiply_add(T.block[n], g.block[n], result);
-}
-
 // a vector in the first lanes of each block, spread
 
 template <int D> inline Several<D> spread(Pack v)

@@ -61,7 +61,8 @@ template <class Call> void with_form(PairForm form, Call call)
 
 template <int D> class PointSweeps : public Sweeps {
  public:
-  PointSweeps(const Options &o, const std::vector<TypeData> &t) : opt(o), types(t)
+  PointSweeps(const Options &o, const std::vector<TypeData> &t) :
+      opt(o), types(t), unit_factor(std::pow(largest_h(t), -(D + 2)))
   {
     for (const TypeData &type : types) {
       resistances.push_back(resistance(type.material));
@@ -74,6 +75,15 @@ template <int D> class PointSweeps : public Sweeps {
  protected:
   Options opt;
   std::vector<TypeData> types;
+  // 1/h0^(D+2), h0 the largest smoothing length, so that kernel gradients stored in single precision
+  // are of order 1 in any units
+  const double unit_factor;
+  static double largest_h(const std::vector<TypeData> &types)
+  {
+    double h = 0.0;
+    for (const TypeData &type : types) h = std::max(h, type.h);
+    return h;
+  }
   std::vector<Resistance<>> resistances;    // of the types
   std::vector<Compression<>> compressions;
   std::vector<int> image_first, image_j;    // candidates among the images

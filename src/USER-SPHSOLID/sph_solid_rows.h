@@ -33,8 +33,9 @@ template <int D> struct Kinematics {
   static constexpr int X = 0;                           // position
   static constexpr int V = Blocks<D>::VECTOR;           // velocity; for heat: displacement
   static constexpr int MASS = 2 * Blocks<D>::VECTOR;    // mass
-  static constexpr int VOLUME = MASS + 1;               // weight of the gradient sweep, this step's
-  static constexpr int H = MASS + 2;                    // smoothing length
+  static constexpr int VOLUME =
+      MASS + 1;                         // weight of the gradient sweep, this step's, over h0^(D+2)
+  static constexpr int H = MASS + 2;    // smoothing length
   static constexpr int NEAR = MASS + 3;    // support of the nearest-neighbor kernel Wbar
   static constexpr int STRIDE = MASS + 4;
 };
@@ -56,12 +57,16 @@ template <int D> struct Stress {
 
 // one pair list: row i holds count[i] pairs from first[i] on, of which the
 // first nearest[i] are nearest neighbors; after them up to a whole number of
-// vectors the last pair again, with factor 0.  grad_i W_ij = factor * (x_i - x_j)
+// vectors the last pair again, with factor 0.  grad_i W_ij = F_ij (x_i - x_j).
+// Rows follow each other without holes, in room for all candidates from which pairs are found in
+// every step: a batch of particles begins at begin[batch] or before.  What only nearest neighbors
+// have lies in arrays of its own, from near_first[i] on
 
 struct Pairs {
-  std::vector<int> first, count, nearest;
-  std::vector<int> j;            // row index of the neighbor
-  std::vector<double> factor;    // F_ij
+  std::vector<int> first, count, near_first, nearest;
+  std::vector<int> begin;
+  Room<int> j;           // row index of the neighbor
+  Room<float> factor;    // F_ij h0^(D+2), h0 the largest smoothing length: of order 1 in any units
 };
 
 }    // namespace SPHSolid

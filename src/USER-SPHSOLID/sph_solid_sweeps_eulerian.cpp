@@ -22,24 +22,28 @@ constexpr double DET_FALLBACK = 0.1;
    gradient sweep
 ------------------------------------------------------------------------- */
 
-// neighbors inside the kernel: the nearest ones, in their row, and the others
+// neighbors inside the kernel: the nearest ones, in their row, and the others; where the next row
+// begins
 
 template <int D> struct EulerianSweeps<D>::Scratch {
   int *near = nullptr;
   std::vector<int> far;
-  int nnear = 0, nfar = 0;
+  int nnear = 0, nfar = 0, first, near_first;
 
-  void begin(int *row, std::size_t n)
+  explicit Scratch(int begin) : first(begin), near_first(begin) {}
+  void begin(int *row, std::size_t candidates)
   {
     near = row;
-    if (far.size() < n) far.resize(n);
+    if (far.size() < candidates) far.resize(candidates);
     nnear = nfar = 0;
   }
 };
 
 // append those of a candidate list that are inside the kernel
 
-template <int D> void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
+template <int D>
+template <bool UNIFORM>
+void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
 {
   const double *kall = krow.data(), *ri = kin(i);
   int *near = s.near, *far = s.far.data();
@@ -51,8 +55,9 @@ template <int D> void EulerianSweeps<D>::gather(int i, int n, const int *list, S
       const double d = ri[a] - rj[a];
       r2 += d * d;
     }
-    const double reach = ri[Kin::H] + rj[Kin::H];    // 2 h_ij
-    const double support = 0.5 * (ri[Kin::NEAR] + rj[Kin::NEAR]);
+    const double *other = UNIFORM ? ri : rj;
+    const double reach = ri[Kin::H] + other[Kin::H];    // 2 h_ij
+    const double support = 0.5 * (ri[Kin::NEAR] + other[Kin::NEAR]);
     if (j >= this->nparticles && r2 < COINCIDE * COINCIDE * reach * reach) continue;    // itself
     if (r2 < support * support)
       near[s.nnear++] = j;
@@ -63,31 +68,42 @@ template <int D> void EulerianSweeps<D>::gather(int i, int n, const int *list, S
 
 // the pairs of one particle, nearest ones first
 
-template <int D> void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
+template <int D>
+template <bool UNIFORM>
+void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
 {
-  const int start = pairs.first[i];
-  int *row = &pairs.j[start];
-  s.begin(row, pairs.first[i + 1] - start);
-  gather(i, list.numneigh[i], list.firstneigh[i], s);
-  if (images.any()) gather(i, image_first[i + 1] - image_first[i], &image_j[image_first[i]], s);
+  int *row = pairs.j.data() + s.first;
+  const int of_images = images.any() ? image_first[i + 1] - image_first[i] : 0;
+  s.begin(row, list.numneigh[i] + of_images);
+  gather<UNIFORM>(i, list.numneigh[i], list.firstneigh[i], s);
+  if (of_images > 0) gather<UNIFORM>(i, of_images, &image_j[image_first[i]], s);
 
   const int n = s.nnear + s.nfar;
   for (int k = 0; k < s.nfar; k++) row[s.nnear + k] = s.far[k];
   for (int k = n; n > 0 && k < whole_vectors(n); k++)
     row[k] = row[n - 1];    // without weight, below
+  pairs.first[i] = s.first;
+  pairs.near_first[i] = s.near_first;
   pairs.count[i] = n;
   pairs.nearest[i] = needs_correction() ? s.nnear : 0;
+  s.first += whole_vectors(n);
+  s.near_first += whole_vectors(pairs.nearest[i]);
 }
 
-// sums over the pairs of one particle; grad_i W = F (x_i - x_j)
+// sums over the pairs of one particle; grad_i W = F (x_i - x_j), F over h0^(D+2) stored
 
-template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
+template <int D>
+template <bool UNIFORM>
+void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
 {
   const double *kall = krow.data(), *ki = kin(i);
   const Motion<D> own(ki);
   const int start = pairs.first[i], count = pairs.count[i], nearest = pairs.nearest[i];
-  double *factors = pairs.factor.data() + start, *weights = near_weight.data() + start;
+  float *factors = pairs.factor.data() + start;
+  double *weights = near_weight.data() + pairs.near_first[i];
+  const double per_unit = 1.0 / unit_factor;
   TensorSums<D> moment, velocity;
+  const Pack own_h(ki[Kin::H]), own_near(ki[Kin::NEAR]);
   Pack nsum = 0.0;
 
   for (int k = 0; k < count; k += LANES) {
@@ -101,18 +117,19 @@ template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
     }
     transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
     const Components<D> apart = Motion<D>::components(d);
-    const Pack r = square_root(apart.x_dot_x()), h = 0.5 * (ki[Kin::H] + inertia[2]);
+    const Pack r = square_root(apart.x_dot_x());
+    const Pack h = UNIFORM ? own_h : 0.5 * (own_h + inertia[2]);
+    const Pack near = UNIFORM ? own_near : inertia[3];
     Pack F = CubicSpline<D>::gradient_factor(r, h);
     if (k + LANES > count) F *= first_lanes(count - k);
-    store(factors + k, F);
+    F = store_rounded(factors + k, per_unit * F);
     const Pack w = -(inertia[1] * F);
     Pack g[D];
     for (int a = 0; a < D; a++) g[a] = w * apart.x[a];
     moment.add_symmetric(apart.x, g);
     velocity.add(apart.v, g);
     if (k < nearest) {
-      const Pack m_wbar = Base::wbar_mass(r, inertia[0], Pack(ki[Kin::NEAR]), inertia[3]) *
-          first_lanes(nearest - k);
+      const Pack m_wbar = Base::wbar_mass(r, inertia[0], own_near, near) * first_lanes(nearest - k);
       store(weights + k, m_wbar);
       nsum += m_wbar;
     }
@@ -122,21 +139,34 @@ template <int D> void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
   sums.nsum[lane] = sum(nsum);
 }
 
+// of a batch
+
+template <int D>
+template <bool UNIFORM>
+void EulerianSweeps<D>::find_sums(const Batch &batch, const NeighborRows &list, Scratch &s,
+                                  Sums &sums)
+{
+  for (int m = 0; m < LANES; m++) {
+    if (m < batch.n) find_pairs<UNIFORM>(batch.i[m], list, s);
+    accumulate<UNIFORM>(batch.i[m], sums, m);
+  }
+}
+
 template <int D>
 int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, double dt)
 {
   std::atomic<int> bad(-1);
   auto of_share = [&](int first, int end) {
     double plastic = 0.0;
-    Scratch s;
+    Scratch s(first < end ? pairs.begin[first] : 0);
     for (int at = first * LANES; at < end * LANES; at += LANES) {
       const Batch batch(list, at);
       prefetch_points(p, batch);
       Sums sums;
-      for (int m = 0; m < LANES; m++) {
-        if (m < batch.n) find_pairs(batch.i[m], list, s);
-        accumulate(batch.i[m], sums, m);
-      }
+      if (uniform)
+        find_sums<true>(batch, list, s, sums);
+      else
+        find_sums<false>(batch, list, s, sums);
       const int unphysical = update(p, batch, sums, dt, plastic);
       if (unphysical >= 0) bad = unphysical;
     }
@@ -225,30 +255,32 @@ template <PairForm FORM>
 void EulerianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
 {
   each_share(nthreads, list.inum, [&](int first, int end) {
-    for (int ii = first; ii < end; ii++) {
-      const int i = list.ilist[ii];
-      if (opt.tensile)
-        force_row<FORM, true>(p, i);
-      else
-        force_row<FORM, false>(p, i);
-      if (FORM != PairForm::NONE && lonely) lonely_pairs(p, i);
-    }
+    with_flags(
+        [&](auto tensile, auto same) {
+          for (int ii = first; ii < end; ii++) {
+            const int i = list.ilist[ii];
+            force_row<FORM, decltype(tensile)::value, decltype(same)::value>(p, i);
+            if (FORM != PairForm::NONE && lonely) lonely_pairs(p, i);
+          }
+        },
+        opt.tensile, uniform);
   });
 }
 
 // f_i = K_i sum_j K_j (T_i + T_j) g_ij - m_i sum_j m_j Pi_ij g_ij, g = F x_ij
 
 template <int D>
-template <PairForm FORM, bool TENSILE>
+template <PairForm FORM, bool TENSILE, bool UNIFORM>
 void EulerianSweeps<D>::force_row(const Particles &p, int i)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, RATES = needs_rates(FORM);
   constexpr int R_AT = extra(0), L_AT = extra(TENSILE ? 1 : 0),    // R, velocity gradient
       STRIDE = extra((TENSILE ? 1 : 0) + (RATES ? 1 : 0));         // of a stress row
-  const double *kall = krow.data(), *sall = srow.data(), *factors = pairs.factor.data();
+  const double *kall = krow.data(), *sall = srow.data();
+  const float *factors = pairs.factor.data();
   const double *ki = kin(i), *si = sall + std::ptrdiff_t(i) * STRIDE;
-  double *pulls = pull.data(), *weights = near_weight.data();
-  const int end_nearest = pairs.first[i] + pairs.nearest[i];
+  double *pulls = pull.data(), *weights = near_weight.data() + pairs.near_first[i];
+  const int first = pairs.first[i], nearest = pairs.nearest[i];
   const double a1 = opt.a1, a2 = opt.a2;
   const Motion<D> own(ki);
   const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + R_AT : si),
@@ -257,10 +289,10 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
   // in a correction, pairs that touch a particle without nearest neighbors
   // are left to lonely_pairs()
   const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
-  Pack stress = zero, viscous[D], mu_least = zero;
+  Pack stress = zero, viscous[D], mu_least = zero;    // sums over pairs
   for (int a = 0; a < D; a++) viscous[a] = zero;
 
-  for (int k = pairs.first[i], end = k + pairs.count[i]; k < end; k += LANES) {
+  for (int k = first; k < first + pairs.count[i]; k += LANES) {
     const int *j = &pairs.j[k];
     Motion<D> d[BLOCK];
     Pack state[BLOCK], inertia[BLOCK], tensile[BLOCK], l_i[BLOCK], l_j[BLOCK];
@@ -271,14 +303,15 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       const Addresses kj(kall, j + m, Kin::STRIDE), sj(sall, j + m, STRIDE);
       d[m] = own - Motion<D>(kj);
       state[m] = load(sj + Str::K);
-      const Several<D> g = d[m].spread_x() * (shuffle<0, 0, 0, 0>(state[m]) * factor[m]);
-      add_times<D>(stress, T + load_tensor<D>(sj), g);
-      if (TENSILE) tensile[m] = times(R + load_tensor<D>(sj + R_AT), g);
-      if (VISCOUS || TENSILE) inertia[m] = load(kj + Kin::MASS);
+      const Several<D> X = d[m].spread_x();
+      const Pack KF = shuffle<0, 0, 0, 0>(state[m]) * factor[m];
+      stress = multiply_add(KF, times(T + load_tensor<D>(sj), X), stress);
+      if (TENSILE) tensile[m] = KF * times(R + load_tensor<D>(sj + R_AT), X);
+      if (!UNIFORM && (VISCOUS || TENSILE)) inertia[m] = load(kj + Kin::MASS);
       if (RATES) {
         const Pack x = d[m].expanded_x();
-        l_i[m] = x * times(rate, d[m].spread_x());
-        l_j[m] = x * times(load_tensor<D>(sj + L_AT), d[m].spread_x());
+        l_i[m] = x * times(rate, X);
+        l_j[m] = x * times(load_tensor<D>(sj + L_AT), X);
       }
     }
     if (!VISCOUS && !TENSILE) continue;
@@ -286,10 +319,11 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     const Components<D> apart = Motion<D>::components(d);
     const Pack r2 = apart.x_dot_x();
     Pack vr = apart.v_dot_x();
-    transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
-    const Pack h = 0.5 * (ki[Kin::H] + inertia[2]);
+    if (!UNIFORM) transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // .., .., h, near
+    const Pack h = UNIFORM ? Pack(ki[Kin::H]) : 0.5 * (ki[Kin::H] + inertia[2]);
     if (TENSILE) {
-      const Pack spacing = (0.5 / opt.hbar) * (ki[Kin::NEAR] + inertia[3]);
+      const Pack near = UNIFORM ? Pack(ki[Kin::NEAR]) : inertia[3];
+      const Pack spacing = (0.5 / opt.hbar) * (ki[Kin::NEAR] + near);
       const Pack fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
       store(&crowd[k], fn);
       const Spread each(fn);
@@ -303,14 +337,16 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
         vr = jump_left<FORM>(vr, sums(l_i[0], l_i[1], l_i[2], l_i[3]),
                              sums(l_j[0], l_j[1], l_j[2], l_j[3]), on);
       const Pack mu = approach_rate(vr, r2, h);
-      Pack q = inertia[0] * monaghan_pi(a1, a2, c, rho, mu) * F;
+      const Pack mass = opt.corrected ? state[0] * state[1] : state[0];    // K is V or m
+      Pack q = mass * monaghan_pi(a1, a2, c, rho, mu) * F;
       if (FORM == PairForm::SWITCHED) q *= on;
       if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij
       if (correct) {
         q = where_positive(state[3], ok_i * q, zero);
-        if (k < end_nearest) {    // of the correction: m_j Wbar_ij becomes a weight
-          const Pack n_i(si[Str::NSUM]), m_wbar = load(weights + k);
-          store(weights + k, correction_weight(opt.weights, m_wbar, n_i, state[3]));
+        if (k < first + nearest) {    // of the correction: m_j Wbar_ij becomes a weight
+          double *weight = weights + (k - first);
+          const Pack n_i(si[Str::NSUM]), m_wbar = load(weight);
+          store(weight, correction_weight(opt.weights, m_wbar, n_i, state[3]));
         }
       }
       apart.add_to(viscous, -q);
@@ -318,9 +354,9 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     }
   }
 
-  const double K = si[Str::K], mass = ki[Kin::MASS];
+  const double K = unit_factor * si[Str::K], mass = ki[Kin::MASS];
   stress = sum_of_blocks(stress);
-  const Pack viscous_sum = sums_of<D>(viscous);
+  const Pack viscous_sum = unit_factor * sums_of<D>(viscous);
   for (int a = 0; a < D; a++) {
     p.f[i][a] += K * folded<D>(stress, a);
     if (VISCOUS && correct)
@@ -328,7 +364,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     else if (VISCOUS)
       p.f[i][a] += mass * viscous_sum[a];
   }
-  mu_max[i] = -least(mu_least);
+  if (this->limits_step) mu_max[i] = -least(mu_least);
 }
 
 }    // namespace

@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstring>
 #include <new>
+#include <utility>
 #include <vector>
 
 #if !defined(__GNUC__) && !defined(SPHSOLID_PORTABLE_VECTOR)
@@ -294,7 +295,7 @@ inline void store(double *to, Pack v)
   std::memcpy(to, &v.native(), sizeof(Native));
 }
 
-// the same from single precision
+// the same in single precision; stored is the number as it is then
 
 #ifdef SPHSOLID_PORTABLE_VECTOR
 inline Pack load(const float *from)
@@ -303,14 +304,46 @@ inline Pack load(const float *from)
     return static_cast<double>(from[k]);
   }));
 }
+inline Pack store_rounded(float *to, Pack v)
+{
+  for (int k = 0; k < LANES; k++) to[k] = static_cast<float>(v[k]);
+  return load(to);
+}
 #else
 typedef float NativeSingle __attribute__((vector_size(LANES * sizeof(float))));
+
+// GCC 12 converts eight numbers in halves
+#ifdef SPHSOLID_AVX512
+inline Native widened(NativeSingle n)
+{
+  return _mm512_maskz_cvtps_pd(0xFF, n);
+}
+inline NativeSingle narrowed(Native n)
+{
+  return _mm512_maskz_cvtpd_ps(0xFF, n);
+}
+#else
+inline Native widened(NativeSingle n)
+{
+  return __builtin_convertvector(n, Native);
+}
+inline NativeSingle narrowed(Native n)
+{
+  return __builtin_convertvector(n, NativeSingle);
+}
+#endif
 
 inline Pack load(const float *from)
 {
   NativeSingle n;
   std::memcpy(&n, from, sizeof(n));
-  return Pack(__builtin_convertvector(n, Native));
+  return Pack(widened(n));
+}
+inline Pack store_rounded(float *to, Pack v)
+{
+  const NativeSingle n = narrowed(v.native());
+  std::memcpy(to, &n, sizeof(n));
+  return Pack(widened(n));
 }
 #endif
 
@@ -595,14 +628,14 @@ struct Spread {
   const Pack &operator[](int m) const { return of[m]; }
 };
 
-// n doubles that will be wanted soon: sweeps read more arrays side by side than the processor
+// n numbers that will be wanted soon: sweeps read more arrays side by side than the processor
 // follows by itself, and it stops at the end of every page.  Nothing happens behind the end of
 // an array
 
-inline void prefetch(const double *from, int n)
+template <class T> inline void prefetch(const T *from, int n)
 {
 #if defined(__GNUC__)
-  for (int k = 0; k < n; k += 8) __builtin_prefetch(from + k);
+  for (int k = 0; k < n; k += static_cast<int>(64 / sizeof(T))) __builtin_prefetch(from + k);
 #endif
 }
 
@@ -627,6 +660,31 @@ template <class T, class U> inline bool operator!=(CacheAligned<T>, CacheAligned
 
 using Rows = std::vector<double, CacheAligned<double>>;
 using SingleRows = std::vector<float, CacheAligned<float>>;
+
+// room of which as much is taken from the system as something is written to: not set to 0
+
+template <class T> struct Untouched : CacheAligned<T> {
+  Untouched() = default;
+  template <class U> Untouched(const Untouched<U> &) {}
+  template <class U> struct rebind {
+    typedef Untouched<U> other;
+  };
+  template <class U> void construct(U *at) { ::new (static_cast<void *>(at)) U; }
+  template <class U, class... Args> void construct(U *at, Args &&...args)
+  {
+    ::new (static_cast<void *>(at)) U(std::forward<Args>(args)...);
+  }
+};
+template <class T> using Room = std::vector<T, Untouched<T>>;
+
+// for n at least, of which none is kept
+
+template <class T> inline void make_room(Room<T> &room, std::size_t n)
+{
+  if (room.size() >= n) return;
+  Room<T>().swap(room);
+  room.resize(n);
+}
 
 }    // namespace SPHSolid
 

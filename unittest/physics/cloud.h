@@ -41,6 +41,11 @@ inline std::string name_of(Viscosity v)
   return names[static_cast<int>(v)];
 }
 
+// largest relative error of a kernel gradient: sums over pairs keep them in single precision, of
+// which B, forces and heat all take the same
+
+constexpr double SINGLE = 0x1p-24;
+
 // numbers in [-1,1], the same everywhere
 
 class Noise {
@@ -81,6 +86,9 @@ class Cloud {
   std::vector<Vector3d> xref;    // lagrangian
   std::vector<double> vref;
   double period = 0.0;    // lagrangian: length of the box along x, 0: not periodic
+  // a second type with another smoothing length, if it is not 0, and the particles of it
+  double other_h = 0.0;
+  std::vector<int> others;
   std::unique_ptr<Sweeps> sweeps;
 
   explicit Cloud(int dimension) : dim(dimension)
@@ -194,11 +202,13 @@ class Cloud {
     find_neighbors();
     rho_weight = rho;
     force.assign(3 * size(), 0.0);
-    sweeps = Sweeps::create(dim, opt, {TypeData(), {material, opt.h, spacing}});
+    std::vector<TypeData> types = {TypeData(), {material, opt.h, spacing}};
+    if (other_h > 0.0) types.push_back({material, other_h, spacing});
+    sweeps = Sweeps::create(dim, opt, types);
     sweeps->nthreads = nthreads;
     sweeps->images.set_planes(planes);
     const Particles p = particles();
-    sweeps->new_neighbors(p, rows, 2.0 * opt.h);
+    sweeps->new_neighbors(p, rows, 2.0 * largest_h());
     sweeps->pack_kinematics(p, pv.data());
     return sweeps->gradient(p, rows, dt);
   }
@@ -230,6 +240,7 @@ class Cloud {
     ps.resize(nall);
     pxref.resize(nall);
     type.assign(nall, 1);
+    for (const int i : others) type[i] = 2;
     rho.resize(nall);
     rho_weight.resize(nall);
     all_mass.resize(nall);
@@ -279,6 +290,7 @@ class Cloud {
   std::vector<std::vector<int>> lists;
   NeighborRows rows;
 
+  double largest_h() const { return std::max(opt.h, other_h); }
   bool lagrangian() const { return opt.frame == Frame::LAGRANGIAN; }
 
   // one copy of everything on either side
@@ -298,7 +310,7 @@ class Cloud {
   // lagrangian: the partner is that copy of it which is nearest now
   void find_neighbors()
   {
-    const double cut = std::max(2.0 * opt.h, opt.hbar * spacing);
+    const double cut = std::max(2.0 * largest_h(), opt.hbar * spacing);
     const std::vector<Vector3d> &from = lagrangian() ? xref : x;
     lists.assign(size(), {});
     for (int i = 0; i < size(); i++)
