@@ -27,6 +27,7 @@
 #include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
+#include "sph_solid_vector.h"
 #include "update.h"
 
 #include <algorithm>
@@ -263,17 +264,8 @@ void FixSPHSolid::initial_integrate(int)
   }
   kick(0.5 * update->dt * force->ftm2v);
 
-  double **x = atom->x, **v = atom->v;
-  const int nlocal = atom->nlocal, *mask = atom->mask;
-  const bool three = domain->dimension == 3;
-  const double dt = update->dt;
-  SPHSolid::each_share(comm->nthreads, nlocal, [&](int first, int end) {
-    for (int i = first; i < end; i++) {
-      if (!(mask[i] & groupbit)) continue;
-      x[i][0] += dt * v[i][0];
-      x[i][1] += dt * v[i][1];
-      if (three) x[i][2] += dt * v[i][2];
-    }
+  add_to_moved(atom->x, atom->v, [dt = update->dt](auto) {
+    return dt;
   });
 }
 
@@ -292,16 +284,37 @@ void FixSPHSolid::final_integrate()
 
 void FixSPHSolid::kick(double dtf)
 {
-  double **v = atom->v, **f = atom->f, *rmass = atom->rmass;
-  const int nlocal = atom->nlocal, *mask = atom->mask;
-  const bool three = domain->dimension == 3;
-  SPHSolid::each_share(comm->nthreads, nlocal, [&](int first, int end) {
-    for (int i = first; i < end; i++) {
-      if (!(mask[i] & groupbit)) continue;
-      const double dtfm = dtf / rmass[i];
-      v[i][0] += dtfm * f[i][0];
-      v[i][1] += dtfm * f[i][1];
-      if (three) v[i][2] += dtfm * f[i][2];
+  add_to_moved(atom->v, atom->f, [dtf](auto mass) {
+    return dtf / mass;
+  });
+}
+
+// of the particles of the group to += factor(mass) from, in two dimensions without z.  One by one
+// only where some of LANES particles side by side are in the group and others are not
+
+template <class Factor>
+void FixSPHSolid::add_to_moved(double **to, double *const *from, Factor factor)
+{
+  using SPHSolid::LANES;
+  const double *rmass = atom->rmass;
+  const int *mask = atom->mask, dimension = domain->dimension;
+  SPHSolid::each_share(comm->nthreads, atom->nlocal, [&](int first, int end) {
+    for (; first < end; first += LANES) {
+      int of_all = groupbit;
+      for (int i = first; i < std::min(first + LANES, end); i++) of_all &= mask[i];
+      if (of_all && first + LANES <= end) {
+        const SPHSolid::Pack factors = factor(SPHSolid::load(rmass + first));
+        if (dimension == 3)
+          SPHSolid::add_multiples<3>(to[first], from[first], factors);
+        else
+          SPHSolid::add_multiples<2>(to[first], from[first], factors);
+        continue;
+      }
+      for (int i = first; i < std::min(first + LANES, end); i++) {
+        if (!(mask[i] & groupbit)) continue;
+        const double factor_i = factor(rmass[i]);
+        for (int k = 0; k < dimension; k++) to[i][k] += factor_i * from[i][k];
+      }
     }
   });
 }

@@ -84,6 +84,7 @@ class FixSPHSolid : public Fix {
   void take_up(const double *);
   void settle();
   void kick(double);
+  template <class Factor> void add_to_moved(double **to, double *const *from, Factor);
 };
 
 }    // namespace LAMMPS_NS

@@ -21,8 +21,10 @@
 #include "fix_sph_solid.h"
 #include "modify.h"
 #include "pair_sph_solid.h"
+#include "sph_solid_vector.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -154,38 +156,65 @@ void FixSPHSolidWall::post_force(int)
 
 void FixSPHSolidWall::constrain(Phase phase)
 {
-  double **x = atom->x, **f = atom->f, **v = atom->v;
   double **vhalf = AtomVecSPHSolid::arrays(atom)->vhalf;
   const auto *mover = FixSPHSolid::leader(lmp);
   const double dt = (phase == CONTINUE && mover) ? mover->pending_step() : update->dt;
-  const double share = (phase == START) ? 0.5 : 1.0;
+  const Step step = {phase, dt, phase == START ? 0.5 : 1.0, phase == START ? atom->v : vhalf};
   reaction = reaction_v = reaction_a = 0.0;
   reactions.clear();
   dt_used = dt;
   kicked = phase != START;
 
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double mass = atom->rmass[i];
-    const double y = normal * (x[i][dim] - plane);
-    const double vn = normal * (phase == START ? v : vhalf)[i][dim], fn = normal * f[i][dim];
-    const bool away = mass * (y + dt * vn) + share * dt * dt * fn >= 0.0;
-    if (away && std::fabs(y) >= held) continue;
-    if (!(atom->mask[i] & groupbit) || !pair->moves(i) || !pair->has_material(i)) continue;
-    if (away && std::fabs(y) >= ON_PLANE * pair->smoothing_length(i)) continue;
-
-    const double an = fn / mass;
-    const double landing = (-y / dt - vn) / (share * dt);
-    const double R = mass * (landing - an);
-    f[i][dim] = normal * mass * landing;
-
-    // work on the half kick of this step, and what the next one needs
-    if (phase == STEP) work += 0.5 * dt * R * (vn + 0.25 * dt * landing);
-    const double v_full = (phase == STEP) ? vn + 0.5 * dt * landing : normal * v[i][dim];
-    reactions.push_back({i, R});
-    reaction += R;
-    reaction_v += R * v_full;
-    reaction_a += R * landing;
+  for (int first = 0; first < atom->nlocal; first += SPHSolid::LANES) {
+    if (all_pass(step, first)) continue;
+    const int end = std::min(first + SPHSolid::LANES, atom->nlocal);
+    for (int i = first; i < end; i++) constrain(step, i);
   }
+}
+
+// of LANES particles from the first one on, is each away from the plane and on its side after the
+// step?  No number is: then they are looked at one by one
+
+bool FixSPHSolidWall::all_pass(const Step &step, int first) const
+{
+  using namespace SPHSolid;
+  if (first + LANES > atom->nlocal) return false;
+  auto along = [this, first](const double *const *of) {
+    Pack components[SPACE];
+    load_components<SPACE>(of[first], components);
+    return components[dim];
+  };
+  const Pack y = normal * (along(atom->x) - plane), vn = normal * along(step.v);
+  const Pack next = step.distance(load(atom->rmass + first), y, vn, normal * along(atom->f));
+  const Pack apart = maximum(y, -y) - held;
+  return least(where_positive(next, where_positive(apart, Pack(1.0), Pack(-1.0)), Pack(-1.0))) >
+      0.0;
+}
+
+void FixSPHSolidWall::constrain(const Step &step, int i)
+{
+  double **f = atom->f;
+  const double dt = step.dt, share = step.share, mass = atom->rmass[i];
+  const double y = normal * (atom->x[i][dim] - plane);
+  const double vn = normal * step.v[i][dim], fn = normal * f[i][dim];
+  const bool away = step.distance(mass, y, vn, fn) >= 0.0;
+  if (away && std::fabs(y) >= held) return;
+  if (!(atom->mask[i] & groupbit) || !pair->moves(i) || !pair->has_material(i)) return;
+  if (away && std::fabs(y) >= ON_PLANE * pair->smoothing_length(i)) return;
+
+  const double an = fn / mass;
+  const double landing = (-y / dt - vn) / (share * dt);
+  const double R = mass * (landing - an);
+  f[i][dim] = normal * mass * landing;
+
+  // work on the half kick of this step, and what the next one needs
+  const bool stepping = step.phase == STEP;
+  if (stepping) work += 0.5 * dt * R * (vn + 0.25 * dt * landing);
+  const double v_full = stepping ? vn + 0.5 * dt * landing : normal * atom->v[i][dim];
+  reactions.push_back({i, R});
+  reaction += R;
+  reaction_v += R * v_full;
+  reaction_a += R * landing;
 }
 
 /* ----------------------------------------------------------------------

@@ -68,7 +68,19 @@ class FixSPHSolidWall : public Fix {
   std::vector<Reaction> reactions;    // of own particles
 
   enum Phase { START, CONTINUE, STEP };
+  struct Step {
+    Phase phase;
+    double dt, share;
+    const double *const *v;
+    // from the plane after the step, times mass, of one particle or a vector of them
+    template <class Real> Real distance(Real mass, Real y, Real vn, Real fn) const
+    {
+      return mass * (y + dt * vn) + share * dt * dt * fn;
+    }
+  };
   void constrain(Phase);
+  bool all_pass(const Step &, int first) const;
+  void constrain(const Step &, int i);
   void require_in_front() const;
 };
 
