@@ -289,8 +289,7 @@ void PairSPHSolid::pack_kinematics(bool setup)
     if (!partners) std::copy(p.rho, p.rho + p.nall, p.rho_weight);
     double **vhalf = own->vhalf;
     each_share(comm->nthreads, p.nlocal, [&](int first, int end) {
-      for (int i = first; i < end; i++)
-        for (int k = 0; k < 3; k++) vhalf[i][k] = p.v[i][k];
+      if (first < end) std::copy(p.v[first], p.v[first] + 3 * (end - first), vhalf[first]);
     });
   }
   sweeps->pack_kinematics(p, resumed ? own->vhalf : p.v);

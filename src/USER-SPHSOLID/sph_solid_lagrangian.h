@@ -224,6 +224,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
       for (int b = 0; b < D; b++) store(&of[((block * D + a) * D + b) * LANES], t(a, b));
   }
   static void add_forces(const Particles &, const Batch &, const Pack *f);
+  void pack_vectors(int block, const Batch &, int component, const double *const *of);
   void mirror_vectors(int component);
   int place_of(Message) const;
   // x.TX, T of one particle or the sum of two

@@ -13,8 +13,13 @@ namespace {
 template <int D>
 void LagrangianSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
 {
-  each_share(nthreads, p.nall, [&](int first, int end) {
-    for (int i = first; i < end; i++) {
+  each_block([&](int block, const Batch &batch, Totals &) {
+    pack_vectors(block, batch, X, p.x);
+    pack_vectors(block, batch, V, v);
+    columns.copy_to_rows(block * LANES, X, REFERENCE);
+  });
+  each_share(nthreads, p.nall - p.nlocal, [&](int first, int end) {
+    for (int i = p.nlocal + first; i < p.nlocal + end; i++) {
       const int column = column_of[i];
       if (column < 0) continue;
       columns.set(column, X, p.x[i], D);
@@ -28,6 +33,23 @@ void LagrangianSweeps<D>::pack_kinematics(const Particles &p, const double *cons
     columns.set(column, X, at, D);
   }
   mirror_vectors(V);
+}
+
+// LAMMPS's vectors of a block; behind the last particle those of the last one again
+
+template <int D>
+void LagrangianSweeps<D>::pack_vectors(int block, const Batch &batch, int component,
+                                       const double *const *of)
+{
+  Pack v[D];
+  if (batch.consecutive)
+    load_components<D>(of[batch.i[0]], v);
+  else
+    for (int a = 0; a < D; a++)
+      v[a] = pack_of([&](int m) {
+        return of[batch.i[m]][a];
+      });
+  columns.store(block * LANES, component, v, D);
 }
 
 // of images

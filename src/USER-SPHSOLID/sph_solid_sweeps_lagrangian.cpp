@@ -296,6 +296,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
 template <int D>
 void LagrangianSweeps<D>::add_forces(const Particles &p, const Batch &batch, const Pack *f)
 {
+  if (batch.consecutive) return add_components<D>(p.f[batch.i[0]], f);
   for (int m = 0; m < batch.n; m++)
     for (int a = 0; a < D; a++) p.f[batch.i[m]][a] += f[a][m];
 }
