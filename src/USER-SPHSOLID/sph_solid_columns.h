@@ -46,11 +46,15 @@ class Columns {
   const double *at(int column) const { return data.data() + place(column); }
 
   // LANES columns from a multiple of LANES on
-  void store(int column, int component, Pack v)
+  void store(int column, int component, Pack v) { store(column, component, &v, 1); }
+  // of count components from first on
+  void store(int column, int first, const Pack *v, int count)
   {
-    double *to = at(column) + component * NEXT;
-    SPHSolid::store(to, v);
-    if (begins_chunk(column)) SPHSolid::store(to + LENGTH - size_of_chunk(), v);
+    double *to = at(column) + first * NEXT;
+    for (int c = 0; c < count; c++) SPHSolid::store(to + c * NEXT, v[c]);
+    if (!begins_chunk(column)) return;
+    to += LENGTH - size_of_chunk();
+    for (int c = 0; c < count; c++) SPHSolid::store(to + c * NEXT, v[c]);
   }
   // after stores: the same in rows, if there are any
   void copy_to_rows(int column, int first, int last)

@@ -194,8 +194,10 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   }
   void store_tensor(int column, int c, const Tensors &t)
   {
+    Pack components[D * D];
     for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) columns.store(column, c + D * a + b, t(a, b));
+      for (int b = 0; b < D; b++) components[D * a + b] = t(a, b);
+    columns.store(column, c, components, D * D);
   }
   static Tensors load_tensors(const Rows &of, int block)
   {

@@ -126,24 +126,36 @@ template <int D> class PointSweeps : public Sweeps {
     bool consecutive;    // they lie one after the other in arrays
     Batch(const NeighborRows &list, int first) : n(std::min(LANES, list.inum - first))
     {
-      const int last = list.inum - 1;
-      for (int m = 0; m < LANES; m++) i[m] = list.ilist[std::min(first + m, last)];
-      consecutive = true;
-      for (int m = 1; m < LANES; m++) consecutive = consecutive && i[m] == i[0] + m;
+      const int *from = list.ilist + first;
+      if (n == LANES)
+        std::copy(from, from + LANES, i);
+      else
+        for (int m = 0; m < LANES; m++) i[m] = from[std::min(m, n - 1)];
+      int apart = 0;    // without branches: the compiler compares all lanes at once
+      for (int m = 0; m < LANES; m++) apart |= i[m] ^ (i[0] + m);
+      consecutive = apart == 0;
     }
     Pack load(const double *array) const
     {
-      if (consecutive) return SPHSolid::load(array + i[0]);
-      return pack_of([&](int m) {
-        return array[i[m]];
-      });
+      return consecutive ? SPHSolid::load(array + i[0]) : load_each(array);
     }
     void store(double *array, Pack v) const
     {
       if (consecutive)
         SPHSolid::store(array + i[0], v);
       else
-        for (int m = 0; m < n; m++) array[i[m]] = v[m];
+        store_each(array, v);
+    }
+    // apart from load() and store(), so that the compiler finds those small
+    Pack load_each(const double *array) const
+    {
+      return pack_of([&](int m) {
+        return array[i[m]];
+      });
+    }
+    void store_each(double *array, Pack v) const
+    {
+      for (int m = 0; m < n; m++) array[i[m]] = v[m];
     }
     // blocks of particles m and, with eight lanes, m + 4, m = 0 to 3, in an array of rows
     Addresses rows(const double *array, int m, int stride) const
@@ -151,19 +163,26 @@ template <int D> class PointSweeps : public Sweeps {
       return Addresses(array, i + m, stride);
     }
   };
-  // value(type) of each particle
+  // the type that all particles of a batch have, or -1
+  static int common_type(const Particles &p, const Batch &batch)
+  {
+    const int type = p.type[batch.i[0]];
+    int others = 0;
+    for (int m = 0; m < LANES; m++) others |= p.type[batch.i[m]] ^ type;
+    return others == 0 ? type : -1;
+  }
+  // value(type) of each particle, common: what common_type() has found
+  template <class F>
+  static Pack of_types(const Particles &p, const Batch &batch, int common, F value)
+  {
+    if (common >= 0) return Pack(value(common));
+    return pack_of([&](int m) {
+      return value(p.type[batch.i[m]]);
+    });
+  }
   template <class F> static Pack of_types(const Particles &p, const Batch &batch, F value)
   {
-    int t[LANES];
-    bool same = true;
-    for (int m = 0; m < LANES; m++) {
-      t[m] = p.type[batch.i[m]];
-      same = same && t[m] == t[0];
-    }
-    if (same) return Pack(value(t[0]));
-    return pack_of([&](int m) {
-      return value(t[m]);
-    });
+    return of_types(p, batch, common_type(p, batch), value);
   }
   Pack smoothing_lengths(const Particles &p, const Batch &batch) const
   {
@@ -314,8 +333,9 @@ typename PointSweeps<D>::Points
 PointSweeps<D>::update_points(const Particles &p, const Batch &batch, const Tensor<D, Pack> &L_mid,
                               double dt)
 {
+  const int common = common_type(p, batch);
   auto of = [&](const auto &list, auto member) {
-    return of_types(p, batch, [&](int t) {
+    return of_types(p, batch, common, [&](int t) {
       return list[t].*member;
     });
   };
