@@ -101,6 +101,9 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   int components() const { return at_da + (needs_correction() ? D : 0); }
 
   Columns columns;
+  // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
+  static constexpr double IN_CACHE = 512.0 * 1024.0;    // [bytes]
+  bool asks_ahead = false;
   bool with_rows = false;        // for bodies that are no lattice
   std::vector<int> own;          // own particles in the order of columns
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none

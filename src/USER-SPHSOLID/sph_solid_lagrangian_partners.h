@@ -308,7 +308,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     Slots &slots = of.slots;
     const int first = slots.first[block], end = slots.first[block + 1];
     for (int k = first; k < end; k++) {
-      slots.foremost[k] = slots.offset[k] < Slots::GATHERED / 2;
+      slots.foremost[k] = of.asks_ahead && slots.offset[k] < Slots::GATHERED / 2;
       for (int l = first; l < end; l++) {
         const int further = slots.offset[l] - slots.offset[k];
         if (further > 0 && further <= LANES) slots.foremost[k] = 0;
@@ -443,6 +443,7 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
 {
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
   columns.resize(end_of_columns, components(), with_rows);
+  asks_ahead = columns.memory_usage() > IN_CACHE;
   slots.offset.resize(slots.first.back());
   slots.foremost.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);

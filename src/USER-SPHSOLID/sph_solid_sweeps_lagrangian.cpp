@@ -153,7 +153,7 @@ template <int D>
 void LagrangianSweeps<D>::prefetch_points(const Particles &p, int block, const Batch &batch) const
 {
   const int next = batch.i[0] + 2 * LANES;
-  if (!batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal) return;
+  if (!asks_ahead || !batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal) return;
   Base::prefetch_state(p, next);
   prefetch(p.vref + next, LANES);
   prefetch(correction_of(block + 2), SYMMETRIC * LANES);
