@@ -25,9 +25,9 @@
 #include "pair_sph_solid.h"
 #include "sph_solid_fingerprint.h"
 #include "sph_solid_ranks.h"
+#include "sph_solid_space.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
-#include "sph_solid_vector.h"
 #include "update.h"
 
 #include <algorithm>

@@ -21,7 +21,7 @@
 #include "fix_sph_solid.h"
 #include "modify.h"
 #include "pair_sph_solid.h"
-#include "sph_solid_vector.h"
+#include "sph_solid_space.h"
 #include "update.h"
 
 #include <algorithm>

@@ -36,6 +36,7 @@
 #include "sph_solid_columns.h"
 #include "sph_solid_points.h"
 #include "sph_solid_slots.h"
+#include "sph_solid_space.h"
 
 #include <mutex>
 

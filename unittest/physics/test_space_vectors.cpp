@@ -3,7 +3,7 @@
    every number.
 ------------------------------------------------------------------------- */
 
-#include "sph_solid_vector.h"
+#include "sph_solid_space.h"
 
 #include <gtest/gtest.h>
 
