@@ -193,7 +193,8 @@ void PairSPHSolid::measure_spacing()
     mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->vfrac[i]);
   MPI_Allreduce(mine.data(), largest.data(), n, MPI_DOUBLE, MPI_MAX, world);
   for (int i = 1; i < n; i++) {
-    types[i].h = types[i].material.h > 0.0 ? types[i].material.h : options->h;
+    const double of_card = types[i].material.h;
+    types[i].h = !setflag[i][i] ? 0.0 : of_card > 0.0 ? of_card : options->h;    // 0: no material
     types[i].spacing = std::pow(largest[i], 1.0 / domain->dimension);
   }
 }

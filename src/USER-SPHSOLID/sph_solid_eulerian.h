@@ -91,7 +91,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   int nown = 0, nrows = 0;              // own; own and ghost with images
 
   Rows krow, srow, da;           // rows of kinematics, stress, da
-  std::vector<double> mu_max;    // largest approach rate of own particles
+  std::vector<double> mu_max;    // largest approach rate of own particles, for a time step limit
   Pairs pairs;
   Room<double> near_weight;    // of pairs of nearest neighbors, for the correction
   Room<double> near_pull;      // weights safe: force on i = m_i/2 near_pull x_ij
@@ -158,8 +158,8 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   template <class F> void each_few(int i, F call) const
   {
     const Pack own = load_few<D>(&da[i * VECTOR]);
-    const int *j = &pairs.j[pairs.first[i]];
-    const double *weights = &near_weight[pairs.near_first[i]];
+    const int *j = pairs.j.data() + pairs.first[i];
+    const double *weights = near_weight.data() + pairs.near_first[i];
     for (int k = 0; k < pairs.nearest[i]; k += Few<D>::N)
       call(load_few_weights<D>(weights + k), j + k, own - load_few<D>(da.data(), j + k, VECTOR));
   }

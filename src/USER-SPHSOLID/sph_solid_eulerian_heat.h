@@ -147,8 +147,8 @@ template <int D> double EulerianSweeps<D>::heat_correction(int i) const
 {
   const bool printed = opt.heating == Heating::PRINTED;
   if (safe()) {
-    const int *j = &pairs.j[pairs.first[i]];
-    const double *pulls = &near_pull[pairs.near_first[i]];
+    const int *j = pairs.j.data() + pairs.first[i];
+    const double *pulls = near_pull.data() + pairs.near_first[i];
     double power = 0.0;
     for (int k = 0; k < pairs.nearest[i]; k++)
       for (int a = 0; a < D; a++)

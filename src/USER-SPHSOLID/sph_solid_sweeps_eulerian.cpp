@@ -83,14 +83,14 @@ void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
   for (int k = n; n > 0 && k < whole_vectors(n); k++)
     row[k] = row[n - 1];    // without weight, below
   pairs.first[i] = s.first;
-  pairs.near_first[i] = s.near_first;
+  pairs.near_first[i] = needs_correction() ? s.near_first : 0;
   pairs.count[i] = n;
   pairs.nearest[i] = needs_correction() ? s.nnear : 0;
   s.first += whole_vectors(n);
   s.near_first += whole_vectors(pairs.nearest[i]);
 }
 
-// sums over the pairs of one particle; grad_i W = F (x_i - x_j), F over h0^(D+2) stored
+// sums over the pairs of one particle; grad_i W = F (x_i - x_j), stored is F h0^(D+2)
 
 template <int D>
 template <bool UNIFORM>
@@ -340,7 +340,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       const Pack mass = opt.corrected ? state[0] * state[1] : state[0];    // K is V or m
       Pack q = mass * monaghan_pi(a1, a2, c, rho, mu) * F;
       if (FORM == PairForm::SWITCHED) q *= on;
-      if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij
+      if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
       if (correct) {
         q = where_positive(state[3], ok_i * q, zero);
         if (k < first + nearest) {    // of the correction: m_j Wbar_ij becomes a weight

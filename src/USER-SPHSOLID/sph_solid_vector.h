@@ -679,13 +679,13 @@ template <class T> struct Untouched : CacheAligned<T> {
 };
 template <class T> using Room = std::vector<T, Untouched<T>>;
 
-// for n at least, of which none is kept
+// for n at least, with nothing in it; some more, so that it is not made anew each time
 
 template <class T> inline void make_room(Room<T> &room, std::size_t n)
 {
   if (room.size() >= n) return;
   Room<T>().swap(room);
-  room.resize(n);
+  room.resize(n + n / 10);
 }
 
 }    // namespace SPHSolid

@@ -27,6 +27,25 @@ TEST(OddBody, SingleParticleFeelsNothing)
     }
 }
 
+// a fragment far away, the last particle of all: it has no candidates, and its row no place in
+// what pairs are stored in.  (With the library's checks of indices that once stopped a run)
+
+TEST(OddBody, FragmentFarAwayFeelsNothing)
+{
+  for (int dim : {2, 3})
+    for (Viscosity viscosity : VISCOSITIES)
+      for (Weights weights : {Weights::CONSERVATIVE, Weights::SHEPARD, Weights::SAFE}) {
+        Cloud c = random_cloud(dim);
+        c.opt.viscosity = viscosity;
+        c.opt.weights = weights;
+        c.add({100, 0, 0}, {1, 2, 0});
+        const int last = c.size() - 1;
+        EXPECT_EQ(c.evaluate(0.01), -1);
+        EXPECT_EQ(c.f(last), Vector3d::Zero().eval());
+        EXPECT_EQ(c.heat(c.v)[last], 0.0);
+      }
+}
+
 // where two particles coincide the pair has no direction: no force between them
 
 TEST(OddBody, CoincidingPair)

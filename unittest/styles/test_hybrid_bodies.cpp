@@ -180,6 +180,22 @@ TEST(HybridBody, MovesParticlesOfAnotherStyleWithAMass)
   EXPECT_NEAR(s.particle(17).x[0], 0.02 + 5 * 1.0e-8 * 10.0, 1.0e-15);
 }
 
+// the smoothing length of the command is that of no particle where every material has one of its own
+
+TEST(HybridBody, HasNoLengthOfTypesWithoutMaterial)
+{
+  auto run = [](const std::string &h) {
+    std::string text = with_stranger("group body type 1\nvelocity body ramp vx -5 5 x 0 0.003 "
+                                     "units box\nfix move body sph/solid\n");
+    replace(text, "sph/solid 1.3e-3", "sph/solid " + h);
+    replace(text, "perfect 600e6\n", "perfect 600e6 h 1.3e-3\n");
+    Session s;
+    s(text + "run 20");
+    return s.state();
+  };
+  expect_bitwise(run("1.3e-3"), run("1e8"));
+}
+
 /* ----------------------------------------------------------------------
    neighbor lists that LAMMPS shares: it has one for the group, and that of the pair style is a copy of
    it, whose arrays are not to be given back when partners are known
