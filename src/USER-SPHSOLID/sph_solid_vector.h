@@ -24,7 +24,6 @@
 #include <cstddef>
 #include <cstring>
 #include <new>
-#include <utility>
 #include <vector>
 
 #if !defined(__GNUC__) && !defined(SPHSOLID_PORTABLE_VECTOR)
@@ -672,10 +671,6 @@ template <class T> struct Untouched : CacheAligned<T> {
     typedef Untouched<U> other;
   };
   template <class U> void construct(U *at) { ::new (static_cast<void *>(at)) U; }
-  template <class U, class... Args> void construct(U *at, Args &&...args)
-  {
-    ::new (static_cast<void *>(at)) U(std::forward<Args>(args)...);
-  }
 };
 template <class T> using Room = std::vector<T, Untouched<T>>;
 

@@ -3,7 +3,7 @@
    and one by one where some are not: to the same bits.
 ------------------------------------------------------------------------- */
 
-#include "session.h"
+#include "lagrangian_block.h"
 
 using namespace sphsolid_test;
 
@@ -13,9 +13,7 @@ namespace {
 
 Block spinning(const std::string &frame, int nz)
 {
-  Block b;
-  b.nx = 6;
-  b.ny = 8;
+  Block b = body();
   b.nz = nz;
   b.frame = frame;
   b.motion = "variable vx atom 2e4*y*(1+50*x)\nvariable vy atom -2e4*x\n"
@@ -26,15 +24,12 @@ Block spinning(const std::string &frame, int nz)
 State moved_by(Block b, const std::string &fixes)
 {
   b.fixes = fixes;
-  Session s;
-  s(b.script());
-  s("run 20");
-  return s.state();
+  return run(b, "run 20");
 }
 
 TEST(IntegratedGroups, EverySecondParticleByAFixOfItsOwn)
 {
-  for (const std::string &frame : {"eulerian", "lagrangian"})
+  for (const std::string frame : {"eulerian", "lagrangian"})
     for (const int nz : {0, 3}) {
       SCOPED_TRACE(frame + " " + std::to_string(nz));
       const Block b = spinning(frame, nz);
