@@ -302,13 +302,15 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     of.near_weight.enter(of.slots.near_first[block], near);
   }
 
-  // which of the slots that read nearly the same columns reads the last of them
+  // which of the slots that read nearly the same columns reads the last of them, where these lie
+  // further on: what lies before has been read in this sweep
   void find_foremost(int block)
   {
     Slots &slots = of.slots;
     const int first = slots.first[block], end = slots.first[block + 1];
     for (int k = first; k < end; k++) {
-      slots.foremost[k] = of.asks_ahead && slots.offset[k] < Slots::GATHERED / 2;
+      slots.foremost[k] =
+          of.asks_ahead && slots.offset[k] > LANES && slots.offset[k] < Slots::GATHERED / 2;
       for (int l = first; l < end; l++) {
         const int further = slots.offset[l] - slots.offset[k];
         if (further > 0 && further <= LANES) slots.foremost[k] = 0;
