@@ -63,6 +63,12 @@ class Columns {
     for (int c = first; c < last; c++)
       for (int m = 0; m < LANES; m++) row_of(column + m)[c] = at(column)[c * NEXT + m];
   }
+  // the column that at() has found
+  int column(const double *at) const
+  {
+    const std::ptrdiff_t place = at - data.data(), chunk = place / size_of_chunk();
+    return static_cast<int>(chunk * LENGTH + place % size_of_chunk()) - LANES;
+  }
   double get(int column, int component) const { return at(column)[component * NEXT]; }
   void set(int column, int component, double v) { set(column, component, &v, 1); }
   // count components from first on of one column

@@ -127,6 +127,11 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   // rows
   void size_rows(const Particles &);
   void make_room_for_pairs(const NeighborRows &);
+  int images_of(int i) const { return images.any() ? image_first[i + 1] - image_first[i] : 0; }
+  int room_of_row(int i, const NeighborRows &list) const    // all candidates
+  {
+    return whole_vectors(list.numneigh[i] + images_of(i));
+  }
   void pack_constants(const Particles &, int i, double *row) const;
   void mirror_vectors(double *rows, int stride) const;
   double *place_of(Message, int i);
@@ -140,9 +145,10 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
     double nsum[LANES];                           // sum m_j Wbar
   };
   struct Scratch;
-  template <bool UNIFORM> void gather(int i, int n, const int *list, Scratch &) const;
+  template <bool UNIFORM, bool IMAGES> void gather(int i, int n, const int *list, Scratch &) const;
   template <bool UNIFORM> void find_pairs(int i, const NeighborRows &, Scratch &);
-  template <bool UNIFORM> void accumulate(int i, Sums &, int lane);
+  template <bool UNIFORM> void find_factors(int first, Scratch &);
+  template <bool UNIFORM> void accumulate(int i, const Scratch &, Sums &, int lane);
   template <bool UNIFORM> void find_sums(const Batch &, const NeighborRows &, Scratch &, Sums &);
   int update(const Particles &, const Batch &, Sums &, double dt, double &plastic);
   Tensor<D, Pack> tension_stress(const Tensor<D, Pack> &) const;

@@ -47,9 +47,7 @@ template <int D> void EulerianSweeps<D>::make_room_for_pairs(const NeighborRows 
   pairs.begin.clear();
   for (int ii = 0; ii < list.inum; ii++) {
     if (ii % LANES == 0) pairs.begin.push_back(static_cast<int>(n));
-    const int i = list.ilist[ii];
-    const int of_images = images.any() ? image_first[i + 1] - image_first[i] : 0;
-    n += whole_vectors(list.numneigh[i] + of_images);
+    n += room_of_row(list.ilist[ii], list);
   }
   make_room(pairs.j, n);
   make_room(pairs.factor, n);

@@ -154,24 +154,50 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   struct Scratch {
     alignas(64) double of[(MOST + BLOCK) * NEXT];
   };
-  // those of a slot; a gathered one has components up to last only, and of the correction
-  const double *neighbors(int slot, int block, int last, Scratch &scratch) const
-  {
-    const int offset = slots.offset[slot];
-    if (offset < Slots::GATHERED / 2) return columns.at(block * LANES + offset);
-    return gather(&slots.gathered[(offset - Slots::GATHERED) * LANES], last, scratch);
-  }
+  // those of the slots of a block; gathered ones have components up to last only, and of the
+  // correction.  Where slots lie is not read again after stores, which a compiler would do for members
+  class Neighbors {
+   public:
+    Neighbors(const LagrangianSweeps &s, int block, int up_to) :
+        of(s), further(s.slots.further.data()), foremost(s.slots.foremost.data()),
+        i(s.columns.at(block * LANES)), last(up_to)
+    {
+    }
+    const double *operator()(int slot)
+    {
+      const std::ptrdiff_t n = further[slot];
+      if (n < Slots::GATHERED) return i + n;
+      return of.gather(&of.slots.gathered[(n - Slots::GATHERED) * LANES], last, scratch);
+    }
+    // ask for what the blocks to come read of the columns that this slot reads
+    template <int END> void prefetch_ahead(int slot, const double *j) const
+    {
+      constexpr int AHEAD = 16;
+      if (foremost[slot]) prefetch_components<END>(j + AHEAD);
+    }
+
+   private:
+    const LagrangianSweeps &of;
+    const std::ptrdiff_t *const further;
+    const char *const foremost;
+    const double *const i;
+    const int last;
+    Scratch scratch;
+  };
   const double *gather(const int *from, int last, Scratch &) const;
-  // ask for what the blocks to come read of the columns that this slot reads
-  void prefetch_ahead(int slot, const double *j, int last) const
+  template <int END> static void prefetch_components(const double *at)
   {
-    constexpr int AHEAD = 16;
-    if (!slots.foremost[slot]) return;
-    for (int c = 0; c < last; c++) prefetch(j + c * NEXT + AHEAD, 1);
+#if defined(__GNUC__)
+#pragma GCC unroll 64
+#endif
+    for (int c = 0; c < END; c++) prefetch(at + c * NEXT, 1);
   }
 
   // of the particles of a block, or of a slot's neighbors
-  static Pack component(const double *at, int c) { return load(at + c * NEXT); }
+  static Pack component(const double *at, int c)
+  {
+    return load(at + c * NEXT);
+  }
   static Tensors tensor(const double *at, int c)
   {
     Tensors t;
@@ -188,7 +214,10 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   {
     return load(constants + Slots::FACTOR) * component(j, WEIGHT);
   }
-  Pack factor(int slot, const double *j) const { return factor(slots.constants.of(slot), j); }
+  Pack factor(int slot, const double *j) const
+  {
+    return factor(slots.constants.of(slot), j);
+  }
   static Components<D> motion(const double *i, const double *j)
   {
     Components<D> d;
@@ -211,7 +240,10 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     return t;
   }
   static constexpr int SYMMETRIC = D * (D + 1) / 2;
-  double *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
+  double *correction_of(int block)
+  {
+    return &B[block * std::size_t(SYMMETRIC) * LANES];
+  }
   const double *correction_of(int block) const
   {
     return &B[block * std::size_t(SYMMETRIC) * LANES];
@@ -320,6 +352,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
 
   Tensors deformation_gradients(const Particles &, int block, const Batch &) const;
   Pack room_left(const Tensors &Fi, int block) const;
+  int neighbor(int slot, int block, int lane) const;
   Overload overload(const Particles &, int block) const;
   Overload overload(const Tensor<D> &Fi, int block, int lane) const;
 };

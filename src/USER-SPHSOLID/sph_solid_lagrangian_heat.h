@@ -180,11 +180,11 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
   const Pack V0 = batch.load(p.vref), half_mass = 0.5 * batch.load(p.mass);
   const auto near = near_factors(block);
   TensorSums<D> sum;
-  Scratch scratch;
+  Neighbors neighbors(*this, block, at_da);
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::size_t k = s * std::size_t(LANES);
     const int n = s - slots.first[block];
-    const double *j = neighbors(s, block, at_da, scratch);
+    const double *j = neighbors(s);
     const Components<D> d = motion(i, j);
     const Pack weight = component(j, WEIGHT);
     Pack reference[D], f[D], central = 0.0;

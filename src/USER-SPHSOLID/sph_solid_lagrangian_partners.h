@@ -183,10 +183,11 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
   }
 
   std::vector<Partner> partners[LANES];
-  SingleRows constants;       // of the pairs of a block's slots
-  Rows near;                  // m_j Wbar of the nearest
-  Tensor<D> moment[LANES];    // M
-  double nsum[LANES];         // n of the correction: sum m_j Wbar
+  SingleRows constants;        // of the pairs of a block's slots
+  Rows near;                   // m_j Wbar of the nearest
+  std::vector<int> offsets;    // of a block's slots, 0: gathered
+  Tensor<D> moment[LANES];     // M
+  double nsum[LANES];          // n of the correction: sum m_j Wbar
 
   static constexpr std::int64_t PLACES = 1 << 10;    // more than a kernel has spacings
 
@@ -270,6 +271,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     Slots &slots = of.slots;
     const int first = slots.first[block];
     int s = first;
+    offsets.clear();
     constants.assign((slots.first[block + 1] - first) * Slots::CONSTANTS, 0.0f);
     near.assign(slots.nearest(block) * LANES, 0.0);
     for (int m = 0; m < LANES; m++) {
@@ -277,19 +279,22 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       nsum[m] = 0.0;
     }
     collect(block);
-    arrange(partners, block * LANES, PRICE[of.with_rows],
-            [&](bool side_by_side, int offset, const int *which) {
-              slots.offset[s] = side_by_side ? offset : Slots::GATHERED + gathered;
-              for (int m = 0; m < LANES; m++) {
-                const Partner *partner = which[m] >= 0 ? &partners[m][which[m]] : nullptr;
-                if (!side_by_side)
-                  slots.gathered[gathered * LANES + m] = partner ? partner->column
-                                                                 : block * LANES + m;
-                if (partner) fill_pair(block, m, s - first, *partner);
-              }
-              if (!side_by_side) gathered++;
-              s++;
-            });
+    arrange(
+        partners, block * LANES, PRICE[of.with_rows],
+        [&](bool side_by_side, int offset, const int *which) {
+          slots.further[s] = Slots::GATHERED + gathered;
+          if (side_by_side)
+            slots.further[s] = of.columns.at(block * LANES + offset) - of.columns.at(block * LANES);
+          offsets.push_back(side_by_side ? offset : 0);
+          for (int m = 0; m < LANES; m++) {
+            const Partner *partner = which[m] >= 0 ? &partners[m][which[m]] : nullptr;
+            if (!side_by_side)
+              slots.gathered[gathered * LANES + m] = partner ? partner->column : block * LANES + m;
+            if (partner) fill_pair(block, m, s - first, *partner);
+          }
+          if (!side_by_side) gathered++;
+          s++;
+        });
     enter(block);
     correct(block);
     find_foremost(block);
@@ -307,14 +312,11 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
   void find_foremost(int block)
   {
     Slots &slots = of.slots;
-    const int first = slots.first[block], end = slots.first[block + 1];
-    for (int k = first; k < end; k++) {
-      slots.foremost[k] =
-          of.asks_ahead && slots.offset[k] > LANES && slots.offset[k] < Slots::GATHERED / 2;
-      for (int l = first; l < end; l++) {
-        const int further = slots.offset[l] - slots.offset[k];
-        if (further > 0 && further <= LANES) slots.foremost[k] = 0;
-      }
+    char *foremost = slots.foremost.data() + slots.first[block];
+    for (std::size_t k = 0; k < offsets.size(); k++) {
+      foremost[k] = of.asks_ahead && offsets[k] > LANES;
+      for (const int other : offsets)
+        if (other > offsets[k] && other <= offsets[k] + LANES) foremost[k] = 0;
     }
   }
 
@@ -446,7 +448,7 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
   columns.resize(end_of_columns, components(), with_rows);
   asks_ahead = columns.memory_usage() > IN_CACHE;
-  slots.offset.resize(slots.first.back());
+  slots.further.resize(slots.first.back());
   slots.foremost.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);
   slots.constants.begin(slots.first.back());
@@ -546,9 +548,9 @@ template <int D> Pack LagrangianSweeps<D>::room_left(const Tensors &Fi, int bloc
 {
   Pack room = minimum(stretch_bound<D>(Fi) - LEAST_STRETCH, Fi.determinant());
   const double *i = columns.at(block * LANES);
-  Scratch scratch;
+  Neighbors neighbors(*this, block, T);
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
-    const double *j = neighbors(slot, block, T, scratch);
+    const double *j = neighbors(slot);
     Pack x[D], reference[D], apart = 0.0;
     difference(i, j, X, x);
     difference(i, j, REFERENCE, reference);
@@ -570,7 +572,7 @@ Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane)
   if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
     if (slots.constants.of(slot)[Slots::FACTOR + lane] == 0.0f) continue;
-    const int other = slots.column(slot, block, lane);
+    const int other = neighbor(slot, block, lane);
     double X2 = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {
       const double dX = columns.get(column, REFERENCE + a) - columns.get(other, REFERENCE + a);
@@ -581,6 +583,15 @@ Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane)
     if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
   }
   return {};
+}
+
+// the column of a slot's neighbor
+
+template <int D> int LagrangianSweeps<D>::neighbor(int slot, int block, int lane) const
+{
+  const std::ptrdiff_t n = slots.further[slot];
+  if (n >= Slots::GATHERED) return slots.gathered[(n - Slots::GATHERED) * LANES + lane];
+  return columns.column(columns.at(block * LANES) + n) + lane;
 }
 
 template <int D> double LagrangianSweeps<D>::memory_usage() const

@@ -20,9 +20,9 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
     const Pack h = Base::smoothing_lengths(p, batch);
     const Pack least = MU_EPSILON * h * h;    // particles may meet
     Pack rest2 = 0.0, linear2 = 0.0;
-    Scratch scratch;
+    Neighbors neighbors(*this, block, at_da);
     for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
-      const double *j = neighbors(s, block, at_da, scratch);
+      const double *j = neighbors(s);
       const Components<D> d = motion(i, j);
       Pack reference[D];
       difference(i, j, REFERENCE, reference);
@@ -66,9 +66,9 @@ void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Bat
   const Pack mass = batch.load(p.mass);
   Pack f[D], power = 0.0;
   for (int a = 0; a < D; a++) f[a] = 0.0;
-  Scratch scratch;
+  Neighbors neighbors(*this, block, T);
   for (int s = first; s < end; s++) {
-    const double *j = neighbors(s, block, T, scratch);
+    const double *j = neighbors(s);
     const Pack w = load(near.of(s - first));
     for (int a = 0; a < D; a++) f[a] = multiply_add(w, corrected_along(i, j, a), f[a]);
     if (!heats) continue;
@@ -96,9 +96,9 @@ template <int D> void LagrangianSweeps<D>::find_weights()
     const int first = slots.first[block];
     const auto near = near_weight.from(slots.near_first[block]);
     Rows of_block(slots.nearest(block) * LANES);
-    Scratch scratch;
+    Neighbors neighbors(*this, block, FIXED);
     for (int k = 0; k < slots.nearest(block); k++) {
-      const double *j = neighbors(first + k, block, FIXED, scratch);
+      const double *j = neighbors(first + k);
       const Pack m_wbar = load(near.of(k));
       const Pack w = correction_weight(opt.weights, m_wbar, component(i, LAST), component(j, LAST));
       store(&of_block[k * LANES], where_positive(m_wbar, w, Pack(0.0)));
@@ -118,9 +118,9 @@ template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
   const double *i = columns.at(block * LANES);
   const auto near = near_weight.from(slots.near_first[block]);
   double *pulls = near_pull.data() + slots.near_first[block] * std::size_t(LANES);
-  Scratch scratch;
+  Neighbors neighbors(*this, block, T);
   for (int n = 0; n < slots.nearest(block); n++, pulls += LANES) {
-    const double *j = neighbors(slots.first[block] + n, block, T, scratch);
+    const double *j = neighbors(slots.first[block] + n);
     const Components<D> d = motion(i, j);
     Pack a[D], ax = 0.0;
     difference(i, j, at_da, a);

@@ -67,14 +67,16 @@ void arrange(const std::vector<Partner> (&partners)[LANES], int first, int price
 }
 
 struct Slots {
-  static constexpr int GATHERED = 1 << 30;
+  static constexpr std::ptrdiff_t GATHERED = PTRDIFF_MAX / 2;
 
   std::vector<int> first;         // slot of each block, and one behind the last
   std::vector<int> near_first;    // the same if there were only slots with nearest partners
-  std::vector<int> offset;        // columns that the neighbors are further, or GATHERED + n
-  std::vector<char> foremost;     // of slots that read nearly the same columns, the last one
-  std::vector<int> gathered;      // LANES columns each
-  std::vector<int> count;         // partners of each column
+  // doubles in columns that the neighbors are further, which a sweep need not compute from how many
+  // columns that is, or GATHERED + n
+  std::vector<std::ptrdiff_t> further;
+  std::vector<char> foremost;    // of slots that read nearly the same columns, the last one
+  std::vector<int> gathered;     // LANES columns each
+  std::vector<int> count;        // partners of each column
 
   // LANES of each slot.  In single precision, so that rounding does not tell pairs of a lattice
   // apart.  They are the same seen from i and from j, and all that follows from them is computed in
@@ -87,17 +89,13 @@ struct Slots {
 
   std::size_t pairs() const { return static_cast<std::size_t>(first.back()) * LANES; }
   int nearest(int block) const { return near_first[block + 1] - near_first[block]; }
-  // the column of a slot's neighbor
-  int column(int slot, int block, int lane) const
-  {
-    const int o = offset[slot];
-    return o < GATHERED / 2 ? block * LANES + lane + o : gathered[(o - GATHERED) * LANES + lane];
-  }
   double memory_usage() const
   {
-    const std::size_t ints = first.capacity() + near_first.capacity() + offset.capacity() +
-        gathered.capacity() + count.capacity();
-    return static_cast<double>(foremost.capacity() + ints * sizeof(int)) + constants.memory_usage();
+    const std::size_t ints =
+        first.capacity() + near_first.capacity() + gathered.capacity() + count.capacity();
+    return static_cast<double>(foremost.capacity() + further.capacity() * sizeof(std::ptrdiff_t) +
+                               ints * sizeof(int)) +
+        constants.memory_usage();
   }
 };
 

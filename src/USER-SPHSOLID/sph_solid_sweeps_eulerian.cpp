@@ -22,48 +22,86 @@ constexpr double DET_FALLBACK = 0.1;
    gradient sweep
 ------------------------------------------------------------------------- */
 
-// neighbors inside the kernel: the nearest ones, in their row, and the others; where the next row
-// begins
+// neighbors inside the kernel: the nearest ones, in their row, and the others; distances of all
+// pairs of a batch, and where smoothing lengths differ these, too; where the next row begins
 
 template <int D> struct EulerianSweeps<D>::Scratch {
-  int *near = nullptr;
-  std::vector<int> far;
-  int nnear = 0, nfar = 0, first, near_first;
+  struct Found {
+    int *j;
+    double *r2, *h;    // h: of pairs; not where there is one for all
+    int n;
+    void add(int neighbor, double r2_of, double h_of, bool uniform)
+    {
+      j[n] = neighbor;
+      r2[n] = r2_of;
+      if (!uniform) h[n] = h_of;
+      n++;
+    }
+    void add(const Found &others, bool uniform)
+    {
+      for (int k = 0; k < others.n; k++) j[n + k] = others.j[k];
+      for (int k = 0; k < others.n; k++) r2[n + k] = others.r2[k];
+      for (int k = 0; !uniform && k < others.n; k++) h[n + k] = others.h[k];
+      n += others.n;
+    }
+  };
+  Found near, far;
+  int first, near_first, first_of_batch;
+  Rows distance, length;    // of a batch: r^2, then r; h
 
-  explicit Scratch(int begin) : first(begin), near_first(begin) {}
-  void begin(int *row, std::size_t candidates)
+  explicit Scratch(int begin) : first(begin), near_first(begin), first_of_batch(begin) {}
+  // before the rows of a batch, so many candidates at most
+  void begin_batch(int candidates)
   {
-    near = row;
-    if (far.size() < candidates) far.resize(candidates);
-    nnear = nfar = 0;
+    first_of_batch = first;
+    if (static_cast<int>(distance.size()) >= candidates) return;
+    distance.resize(candidates);
+    length.resize(candidates);
   }
+  void begin(int *row, int candidates)
+  {
+    if (static_cast<int>(far_j.size()) < candidates) {
+      far_j.resize(candidates);
+      far_r2.resize(candidates);
+      far_h.resize(candidates);
+    }
+    const int at = first - first_of_batch;
+    near = {row, distance.data() + at, length.data() + at, 0};
+    far = {far_j.data(), far_r2.data(), far_h.data(), 0};
+  }
+
+ private:
+  std::vector<int> far_j;
+  std::vector<double> far_r2, far_h;
 };
 
 // append those of a candidate list that are inside the kernel
 
 template <int D>
-template <bool UNIFORM>
+template <bool UNIFORM, bool IMAGES>
 void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
 {
   const double *kall = krow.data(), *ri = kin(i);
-  int *near = s.near, *far = s.far.data();
+  // copies, which the compiler need not read again after each store
+  typename Scratch::Found near = s.near, far = s.far;
+  const double own_h = ri[Kin::H], own_near = ri[Kin::NEAR];
+  double x[D];
+  std::copy(ri + Kin::X, ri + Kin::X + D, x);
   for (int jj = 0; jj < n; jj++) {
     const int j = list[jj] & INDEX_MASK;
     const double *rj = kall + static_cast<std::ptrdiff_t>(j) * Kin::STRIDE;
-    double r2 = 0.0;
-    for (int a = 0; a < D; a++) {
-      const double d = ri[a] - rj[a];
-      r2 += d * d;
-    }
-    const double *other = UNIFORM ? ri : rj;
-    const double reach = ri[Kin::H] + other[Kin::H];    // 2 h_ij
-    const double support = 0.5 * (ri[Kin::NEAR] + other[Kin::NEAR]);
-    if (j >= this->nparticles && r2 < COINCIDE * COINCIDE * reach * reach) continue;    // itself
+    double r2 = (x[0] - rj[0]) * (x[0] - rj[0]);
+    for (int a = 1; a < D; a++) r2 = multiply_add(x[a] - rj[a], x[a] - rj[a], r2);
+    const double reach = own_h + (UNIFORM ? own_h : rj[Kin::H]);    // 2 h_ij
+    const double support = 0.5 * (own_near + (UNIFORM ? own_near : rj[Kin::NEAR]));
+    if (IMAGES && r2 < COINCIDE * COINCIDE * reach * reach) continue;    // itself
     if (r2 < support * support)
-      near[s.nnear++] = j;
+      near.add(j, r2, 0.5 * reach, UNIFORM);
     else if (r2 < reach * reach)
-      far[s.nfar++] = j;
+      far.add(j, r2, 0.5 * reach, UNIFORM);
   }
+  s.near = near;
+  s.far = far;
 }
 
 // the pairs of one particle, nearest ones first
@@ -73,37 +111,55 @@ template <bool UNIFORM>
 void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
 {
   int *row = pairs.j.data() + s.first;
-  const int of_images = images.any() ? image_first[i + 1] - image_first[i] : 0;
+  const int of_images = images_of(i);
   s.begin(row, list.numneigh[i] + of_images);
-  gather<UNIFORM>(i, list.numneigh[i], list.firstneigh[i], s);
-  if (of_images > 0) gather<UNIFORM>(i, of_images, &image_j[image_first[i]], s);
+  gather<UNIFORM, false>(i, list.numneigh[i], list.firstneigh[i], s);
+  if (of_images > 0) gather<UNIFORM, true>(i, of_images, &image_j[image_first[i]], s);
 
-  const int n = s.nnear + s.nfar;
-  for (int k = 0; k < s.nfar; k++) row[s.nnear + k] = s.far[k];
-  for (int k = n; n > 0 && k < whole_vectors(n); k++)
-    row[k] = row[n - 1];    // without weight, below
+  const int nearest = s.near.n;
+  s.near.add(s.far, UNIFORM);
+  const int n = s.near.n;
+  const double h = kin(i)[Kin::H], outside = 16.0 * h * h;    // without weight
+  while (n > 0 && s.near.n < whole_vectors(n)) s.near.add(row[n - 1], outside, h, UNIFORM);
   pairs.first[i] = s.first;
   pairs.near_first[i] = needs_correction() ? s.near_first : 0;
   pairs.count[i] = n;
-  pairs.nearest[i] = needs_correction() ? s.nnear : 0;
+  pairs.nearest[i] = needs_correction() ? nearest : 0;
   s.first += whole_vectors(n);
   s.near_first += whole_vectors(pairs.nearest[i]);
 }
 
-// sums over the pairs of one particle; grad_i W = F (x_i - x_j), stored is F h0^(D+2)
+// kernel gradients of the pairs of a batch, and r in place of r^2: grad_i W = F (x_i - x_j), stored is
+// F h0^(D+2).  A short loop of its own, so that the processor has many roots and divisions on the way
+
+template <int D> template <bool UNIFORM> void EulerianSweeps<D>::find_factors(int i, Scratch &s)
+{
+  const double per_unit = 1.0 / unit_factor;
+  const Pack same_h(kin(i)[Kin::H]);
+  float *factors = pairs.factor.data() + s.first_of_batch;
+  double *distance = s.distance.data();
+  const double *length = s.length.data();
+  for (int k = 0; k < s.first - s.first_of_batch; k += LANES) {
+    const Pack r = square_root(load(distance + k)), h = UNIFORM ? same_h : load(length + k);
+    store_rounded(factors + k, per_unit * CubicSpline<D>::gradient_factor(r, h));
+    store(distance + k, r);
+  }
+}
+
+// sums over the pairs of one particle
 
 template <int D>
 template <bool UNIFORM>
-void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
+void EulerianSweeps<D>::accumulate(int i, const Scratch &s, Sums &sums, int lane)
 {
   const double *kall = krow.data(), *ki = kin(i);
   const Motion<D> own(ki);
   const int start = pairs.first[i], count = pairs.count[i], nearest = pairs.nearest[i];
-  float *factors = pairs.factor.data() + start;
+  const float *factors = pairs.factor.data() + start;
+  const double *distance = s.distance.data() + (start - s.first_of_batch);
   double *weights = near_weight.data() + pairs.near_first[i];
-  const double per_unit = 1.0 / unit_factor;
   TensorSums<D> moment, velocity;
-  const Pack own_h(ki[Kin::H]), own_near(ki[Kin::NEAR]);
+  const Pack own_near(ki[Kin::NEAR]);
   Pack nsum = 0.0;
 
   for (int k = 0; k < count; k += LANES) {
@@ -117,19 +173,15 @@ void EulerianSweeps<D>::accumulate(int i, Sums &sums, int lane)
     }
     transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
     const Components<D> apart = Motion<D>::components(d);
-    const Pack r = square_root(apart.x_dot_x());
-    const Pack h = UNIFORM ? own_h : 0.5 * (own_h + inertia[2]);
     const Pack near = UNIFORM ? own_near : inertia[3];
-    Pack F = CubicSpline<D>::gradient_factor(r, h);
-    if (k + LANES > count) F *= first_lanes(count - k);
-    F = store_rounded(factors + k, per_unit * F);
-    const Pack w = -(inertia[1] * F);
+    const Pack w = -(inertia[1] * load(factors + k));
     Pack g[D];
     for (int a = 0; a < D; a++) g[a] = w * apart.x[a];
     moment.add_symmetric(apart.x, g);
     velocity.add(apart.v, g);
     if (k < nearest) {
-      const Pack m_wbar = Base::wbar_mass(r, inertia[0], own_near, near) * first_lanes(nearest - k);
+      const Pack m_wbar = Base::wbar_mass(load(distance + k), inertia[0], own_near, near) *
+          first_lanes(nearest - k);
       store(weights + k, m_wbar);
       nsum += m_wbar;
     }
@@ -146,10 +198,12 @@ template <bool UNIFORM>
 void EulerianSweeps<D>::find_sums(const Batch &batch, const NeighborRows &list, Scratch &s,
                                   Sums &sums)
 {
-  for (int m = 0; m < LANES; m++) {
-    if (m < batch.n) find_pairs<UNIFORM>(batch.i[m], list, s);
-    accumulate<UNIFORM>(batch.i[m], sums, m);
-  }
+  int candidates = 0;
+  for (int m = 0; m < batch.n; m++) candidates += room_of_row(batch.i[m], list);
+  s.begin_batch(candidates);
+  for (int m = 0; m < batch.n; m++) find_pairs<UNIFORM>(batch.i[m], list, s);
+  find_factors<UNIFORM>(batch.i[0], s);
+  for (int m = 0; m < LANES; m++) accumulate<UNIFORM>(batch.i[m], s, sums, m);
 }
 
 template <int D>

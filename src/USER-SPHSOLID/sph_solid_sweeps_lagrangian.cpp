@@ -23,16 +23,17 @@ template <typename LagrangianSweeps<D>::Work WORK>
 typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) const
 {
   const double *i = columns.at(block * LANES);
-  const int first = slots.first[block], near_end = first + slots.nearest(block);
+  const int first = slots.first[block], end = slots.first[block + 1],
+            near_end = first + slots.nearest(block);
   const auto near = near_factors(block);
   const auto constants = slots.constants.from(first);
   const int last = keeps_pairs() ? FIXED : T;    // of what is read of neighbors
   TensorSums<D> displacement, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
-  Scratch scratch;
-  for (int s = first; s < slots.first[block + 1]; s++) {
-    const double *j = neighbors(s, block, last, scratch);
-    prefetch_ahead(s, j, T);
+  Neighbors neighbors(*this, block, last);
+  for (int s = first; s < end; s++) {
+    const double *j = neighbors(s);
+    neighbors.template prefetch_ahead<T>(s, j);
     const Components<D> d = motion(i, j);
     const Pack F = factor(constants.of(s - first), j);
     Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
@@ -201,7 +202,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
                  RATES = BOTH || HOURGLASS;
   constexpr int C_AT = FIXED, R_AT = C_AT + (VISCOUS ? D * D : 0);
   const double *i = columns.at(block * LANES);
-  const int first = slots.first[block];
+  const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
   double *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
@@ -210,12 +211,12 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   Pack moment[D], stress[D], central[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
   for (int a = 0; a < D; a++) moment[a] = stress[a] = central[a] = replaced[a] = zero;
-  Scratch scratch;
+  Neighbors neighbors(*this, block, at_da);
 
-  for (int s = first; s < slots.first[block + 1]; s++) {
+  for (int s = first; s < end; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
-    const double *j = neighbors(s, block, at_da, scratch);
-    prefetch_ahead(s, j, R_AT + (RATES ? D * D : 0));
+    const double *j = neighbors(s);
+    neighbors.template prefetch_ahead<R_AT + (RATES ? D * D : 0)>(s, j);
     const float *constant = constants.of(s - first);
     const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];

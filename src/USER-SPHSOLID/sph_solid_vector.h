@@ -268,6 +268,15 @@ inline Pack multiply_add(Pack a, Pack b, Pack c)
   return Pack(native_multiply_add(a.native(), b.native(), c.native()));
 }
 
+inline double multiply_add(double a, double b, double c)
+{
+#ifdef __FMA__
+  return std::fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
 // lanes of a (0 to 3) and b (4 to 7)
 
 template <int i, int j, int k, int l> inline Pack shuffle(Pack a, Pack b)
