@@ -187,8 +187,7 @@ bool FixSPHSolidWall::all_pass(const Step &step, int first) const
   const Pack y = normal * (along(atom->x) - plane), vn = normal * along(step.v);
   const Pack next = step.distance(load(atom->rmass + first), y, vn, normal * along(atom->f));
   const Pack apart = maximum(y, -y) - held;
-  return least(where_positive(next, where_positive(apart, Pack(1.0), Pack(-1.0)), Pack(-1.0))) >
-      0.0;
+  return all_positive(next) && all_positive(apart);
 }
 
 void FixSPHSolidWall::constrain(const Step &step, int i)

@@ -54,7 +54,9 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
       PointSweeps<D>(o, t),
       ntensors((o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0)),
-      stress_stride(extra(ntensors)), uniform(are_alike(t))
+      stress_stride(extra(ntensors)), uniform(are_alike(t)),
+      stride(uniform ? Kin::SHORT : Kin::STRIDE), common_h(Base::largest_h(t)),
+      common_near(o.hbar * largest_spacing(t))
   {
   }
 
@@ -86,9 +88,11 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   using Str = Stress<D>;
   static constexpr int VECTOR = Blocks<D>::VECTOR;
 
-  const int ntensors, stress_stride;    // tensors that follow the fixed part of a stress row
-  const bool uniform;                   // is there one smoothing length, and one spacing?
-  int nown = 0, nrows = 0;              // own; own and ghost with images
+  const int ntensors, stress_stride;     // tensors that follow the fixed part of a stress row
+  const bool uniform;                    // is there one smoothing length, and one spacing?
+  const int stride;                      // of kinematic rows
+  const double common_h, common_near;    // if so: what rows of others have as H and NEAR
+  int nown = 0, nrows = 0;               // own; own and ghost with images
 
   Rows krow, srow, da;           // rows of kinematics, stress, da
   std::vector<double> mu_max;    // largest approach rate of own particles, for a time step limit
@@ -108,7 +112,17 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
     }
     return true;
   }
-  const double *kin(int i) const { return &krow[i * Kin::STRIDE]; }
+  static double largest_spacing(const std::vector<TypeData> &types)
+  {
+    double spacing = 0.0;
+    for (const TypeData &type : types) spacing = std::max(spacing, type.spacing);
+    return spacing;
+  }
+  template <bool UNIFORM> static constexpr int stride_of()
+  {
+    return UNIFORM ? Kin::SHORT : Kin::STRIDE;
+  }
+  const double *kin(int i) const { return &krow[static_cast<std::size_t>(i) * stride]; }
   double *str(int i) { return &srow[i * stress_stride]; }
   const double *str(int i) const { return &srow[i * stress_stride]; }
   // tensor k of those that follow the fixed part of a row
@@ -147,7 +161,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   struct Scratch;
   template <bool UNIFORM, bool IMAGES> void gather(int i, int n, const int *list, Scratch &) const;
   template <bool UNIFORM> void find_pairs(int i, const NeighborRows &, Scratch &);
-  template <bool UNIFORM> void find_factors(int first, Scratch &);
+  template <bool UNIFORM> void find_factors(Scratch &);
   template <bool UNIFORM> void accumulate(int i, const Scratch &, Sums &, int lane);
   template <bool UNIFORM> void find_sums(const Batch &, const NeighborRows &, Scratch &, Sums &);
   int update(const Particles &, const Batch &, Sums &, double dt, double &plastic);
@@ -184,7 +198,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   struct Power {
     double stress = 0.0, viscous = 0.0, corrected = 0.0;
   };
-  template <bool PULL, bool TENSILE, bool CORRECT> Power pair_power(int i) const;
+  template <bool PULL, bool TENSILE, bool CORRECT, bool UNIFORM> Power pair_power(int i) const;
   template <class OfRow>
   typename Base::Totals sum_heat(const NeighborRows &, double *, OfRow) const;
   double lonely_power(int i) const;

@@ -17,21 +17,19 @@ namespace {
 template <int D>
 void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
 {
-  mirror_vectors(&krow[Kin::V], Kin::STRIDE);
-  // next to what else is read of a neighbor, where its volume lies until velocities are new
-  each_share(nthreads, nrows, [&](int first, int end) {
-    for (int row = first; row < end; row++)
-      krow[static_cast<std::size_t>(row) * Kin::STRIDE + Kin::VOLUME] = str(row)[Str::K];
-  });
+  mirror_vectors(&krow[Kin::V], stride);
+  // where volumes lie until velocities are new; for own particles the force sweep has done so
+  for (int row = nown; row < nrows; row++)
+    krow[static_cast<std::size_t>(row) * stride + Kin::VOLUME] = str(row)[Str::K];
   typename Base::Totals totals;
   with_flags(
-      [&](auto pull, auto tensile, auto correct) {
+      [&](auto pull, auto tensile, auto correct, auto same) {
         totals = sum_heat(list, heat, [this](int i) {
           return pair_power<decltype(pull)::value, decltype(tensile)::value,
-                            decltype(correct)::value>(i);
+                            decltype(correct)::value, decltype(same)::value>(i);
         });
       },
-      heats_pairs(), opt.tensile, heats_with_pairs());
+      heats_pairs(), opt.tensile, heats_with_pairs(), uniform);
   if (book) Base::enter(totals, 1.0);
 }
 
@@ -70,7 +68,7 @@ EulerianSweeps<D>::sum_heat(const NeighborRows &list, double *heat, OfRow of_row
 // eq. 20, exact adjoint of the force
 
 template <int D>
-template <bool PULL, bool TENSILE, bool CORRECT>
+template <bool PULL, bool TENSILE, bool CORRECT, bool UNIFORM>
 typename EulerianSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
   constexpr int R_AT = extra(0);
@@ -85,15 +83,14 @@ typename EulerianSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
   auto add = [&](int k, auto near) {
     const int *j = &pairs.j[first + k];
     const Pack none(0.0);
-    const Spread factor(-load(&pairs.factor[first + k])),
+    const Spread factor(load(&pairs.factor[first + k])),
         tensile(TENSILE ? load(&crowd[first + k]) : none),
         pulled(PULL ? load(&pull[first + k]) : none), weight(near() ? load(weights + k) : none);
     for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, Kin::STRIDE);
+      const Addresses kj(kall, j + m, stride_of<UNIFORM>());
       const Motion<D> d = own - Motion<D>(kj);
-      const Pack K_j = load_all(kj + Kin::VOLUME);
       const Several<D> X = d.spread_x();
-      const Pack v = d.expanded_v() * (K_j * factor[m]);
+      const Pack v = d.expanded_v() * (minus_volume<D>(d, kj) * factor[m]);
       add_outer(gradient, v, X);
       if (TENSILE) add_outer(crowded, v * tensile[m], X);
       if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
@@ -158,7 +155,7 @@ template <int D> double EulerianSweeps<D>::heat_correction(int i) const
   const Pack ui = load_few<D>(u(i));
   Pack power = 0.0;
   each_few(i, [&](Pack w, const int *j, Pack difference) {
-    const Pack uj = load_few<D>(u(0), j, Kin::STRIDE);
+    const Pack uj = load_few<D>(u(0), j, stride);
     if (printed)
       power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, VECTOR);
     else

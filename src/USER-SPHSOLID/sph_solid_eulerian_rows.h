@@ -27,7 +27,7 @@ template <int D> void EulerianSweeps<D>::size_rows(const Particles &p)
   nown = p.nlocal;
   nparticles = p.nall;
   nrows = p.nall + (images.any() ? images.count() : 0);
-  krow.resize(static_cast<std::size_t>(nrows) * Kin::STRIDE);
+  krow.resize(static_cast<std::size_t>(nrows) * stride);
   srow.resize(static_cast<std::size_t>(nrows) * stress_stride);
   if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * VECTOR);
   if (this->limits_step) mu_max.assign(p.nlocal, 0.0);
@@ -35,7 +35,7 @@ template <int D> void EulerianSweeps<D>::size_rows(const Particles &p)
     of->assign(p.nlocal, 0);
   each_share(nthreads, nrows, [&](int first, int end) {
     for (int row = first; row < end; row++)
-      pack_constants(p, source_of(row), &krow[static_cast<std::size_t>(row) * Kin::STRIDE]);
+      pack_constants(p, source_of(row), &krow[static_cast<std::size_t>(row) * stride]);
   });
 }
 
@@ -46,7 +46,10 @@ template <int D> void EulerianSweeps<D>::make_room_for_pairs(const NeighborRows 
   std::size_t n = 0;
   pairs.begin.clear();
   for (int ii = 0; ii < list.inum; ii++) {
-    if (ii % LANES == 0) pairs.begin.push_back(static_cast<int>(n));
+    if (ii % LANES == 0) {
+      pairs.begin.push_back(static_cast<int>(n));
+      n += LANES;    // which may be written to behind the last candidate
+    }
     n += room_of_row(list.ilist[ii], list);
   }
   make_room(pairs.j, n);
@@ -63,6 +66,7 @@ void EulerianSweeps<D>::pack_constants(const Particles &p, int i, double *row) c
 {
   const TypeData &t = types[p.type[i]];
   row[Kin::MASS] = p.mass[i];
+  if (uniform) return;
   row[Kin::H] = t.h;
   row[Kin::NEAR] = opt.hbar * t.spacing;
 }
@@ -74,7 +78,7 @@ template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, con
   double *rows = krow.data();
   each_share(nthreads, p.nall, [&](int first, int end) {
     for (int i = first; i < end; i++) {
-      double *row = rows + static_cast<std::size_t>(i) * Kin::STRIDE;
+      double *row = rows + static_cast<std::size_t>(i) * stride;
       const double *x = p.x[i], *vi = v[i];
       for (int a = 0; a < D; a++) {
         row[Kin::X + a] = x[a];
@@ -85,7 +89,7 @@ template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, con
   });
   for (int k = 0; k < nrows - p.nall; k++) {
     const double *from = kin(images.source_of(k));
-    double *row = &krow[(p.nall + k) * Kin::STRIDE];
+    double *row = &krow[static_cast<std::size_t>(p.nall + k) * stride];
     double sign[3];
     images.signs(k, sign);
     images.template position<D>(k, from + Kin::X, row + Kin::X);
@@ -142,7 +146,8 @@ template <int D> double *EulerianSweeps<D>::place_of(Message what, int i)
 {
   if (what == Message::STRESS) return str(i);
   if (what == Message::SWITCH) return str(i) + Str::SWITCH;
-  return what == Message::VISCOUS ? &da[i * VECTOR] : &krow[i * Kin::STRIDE + Kin::V];
+  return what == Message::VISCOUS ? &da[i * VECTOR]
+                                  : &krow[static_cast<std::size_t>(i) * stride + Kin::V];
 }
 
 template <int D> void EulerianSweeps<D>::pack(Message what, int i, double *out) const

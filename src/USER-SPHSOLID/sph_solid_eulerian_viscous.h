@@ -26,7 +26,7 @@ template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const N
         Motion<D> d[BLOCK];
         Pack l_i[BLOCK], l_j[BLOCK];
         for (int m = 0; m < BLOCK; m++) {
-          d[m] = own - Motion<D>(Addresses(krow.data(), j + m, Kin::STRIDE));
+          d[m] = own - Motion<D>(Addresses(krow.data(), j + m, stride));
           const Several<D> X = d[m].spread_x();
           const Addresses sj(srow.data(), j + m, stress_stride);
           l_i[m] = d[m].expanded_x() * times(rate, X);

@@ -534,7 +534,7 @@ template <int D> Overload LagrangianSweeps<D>::overload(const Particles &p, int 
 {
   const Batch batch(own_list(), block * LANES);
   const Tensors Fi = deformation_gradients(p, block, batch);
-  if (least(room_left(Fi, block)) > 0.0) return {};
+  if (all_positive(room_left(Fi, block))) return {};
   for (int m = 0; m < batch.n; m++) {
     const Overload found = overload(of_lane<D>(Fi, m), block, m);
     if (found.kind != Overload::NONE) return found;

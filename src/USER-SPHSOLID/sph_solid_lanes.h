@@ -170,6 +170,7 @@ template <int D> inline void add_blocks(Several<D> *t)
 
 template <int D> struct Components {
   Pack x[D], v[D];
+  Pack free[2];    // three dimensions: what lies behind the vectors
 
   Pack x_dot_x() const
   {
@@ -282,7 +283,7 @@ template <> struct Motion<2> {
   {
     Pack x = d[0].xv, y = d[1].xv, vx = d[2].xv, vy = d[3].xv;
     transpose(x, y, vx, vy);
-    return {{x, y}, {vx, vy}};
+    return {{x, y}, {vx, vy}, {}};
   }
 };
 
@@ -290,8 +291,12 @@ template <> struct Motion<3> {
   Pack position, velocity;
 
   Motion() = default;
-  explicit Motion(const double *row) : position(load_block(row)), velocity(load_block(row + BLOCK))
+  // without what lies behind the vectors, so that differences have that of the other one, negative
+  explicit Motion(const double *row) : Motion(Addresses(row))
   {
+    const Pack vector = load_block(VECTOR);
+    position *= vector;
+    velocity *= vector;
   }
   explicit Motion(const Addresses &row) : position(load(row)), velocity(load(row + BLOCK)) {}
   Motion operator-(const Motion &other) const
@@ -305,11 +310,13 @@ template <> struct Motion<3> {
   Pack expanded_v() const { return velocity; }
   Several<3> spread_x() const { return spread<3>(position); }
 
+  static constexpr double VECTOR[BLOCK] = {1.0, 1.0, 1.0, 0.0};
+
   // of v.x only
   Pack products() const { return velocity * position; }
   Pack products(Pack vector) const { return velocity * vector; }
   static Pack load_vector(const Addresses &a) { return load(a); }
-  static double v_dot_x(Pack products) { return sum(products); }
+  static double v_dot_x(Pack products) { return sum(products * load_block(VECTOR)); }
   static Components<3> components(const Motion *d)
   {
     Pack x[BLOCK], v[BLOCK];
@@ -319,9 +326,19 @@ template <> struct Motion<3> {
     }
     transpose(x[0], x[1], x[2], x[3]);
     transpose(v[0], v[1], v[2], v[3]);
-    return {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}};
+    return {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {x[3], v[3]}};
   }
 };
+
+// - what a kinematic row has as volume, in all lanes of each block; d: the difference to its motion
+
+template <int D> inline Pack minus_volume(const Motion<D> &d, const Addresses &row)
+{
+  if constexpr (D == 2)
+    return -load_all(row + Kinematics<D>::VOLUME);
+  else
+    return shuffle<3, 3, 3, 3>(d.position);
+}
 
 // vectors of N rows, D doubles and in three dimensions a 0: two rows in a block, or one
 

@@ -372,8 +372,8 @@ PointSweeps<D>::update_points(const Particles &p, const Batch &batch, const Tens
 template <int D> int PointSweeps<D>::unphysical(const Batch &batch, Pack rho, Pack others)
 {
   // sum - sum is 0 or not a number
-  const Pack sum = rho + others, finite = where_positive(1.0 + (sum - sum), Pack(1.0), Pack(-1.0));
-  if (least(where_positive(rho, finite, Pack(-1.0))) > 0.0) return -1;
+  const Pack sum = rho + others;
+  if (all_positive(rho) && all_positive(1.0 + (sum - sum))) return -1;
   for (int m = 0; m < LANES; m++)
     if (!(rho[m] > 0.0) || !std::isfinite(sum[m])) return batch.i[m];
   return -1;

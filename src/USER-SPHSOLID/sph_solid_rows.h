@@ -27,17 +27,21 @@ template <int D> struct Blocks {
 };
 
 // kinematic row: the motion is filled before the gradient sweep, the rest stays as it is until
-// neighbors are new
+// neighbors are new.  In three dimensions mass and volume take the places that vectors leave
+// free, so that, where all particles have one smoothing length, a row is one cache line
 
 template <int D> struct Kinematics {
-  static constexpr int X = 0;                           // position
-  static constexpr int V = Blocks<D>::VECTOR;           // velocity; for heat: displacement
-  static constexpr int MASS = 2 * Blocks<D>::VECTOR;    // mass
-  static constexpr int VOLUME =
-      MASS + 1;                         // weight of the gradient sweep, this step's, over h0^(D+2)
-  static constexpr int H = MASS + 2;    // smoothing length
-  static constexpr int NEAR = MASS + 3;    // support of the nearest-neighbor kernel Wbar
-  static constexpr int STRIDE = MASS + 4;
+  static constexpr int X = 0;                        // position
+  static constexpr int V = Blocks<D>::VECTOR;        // velocity; for heat: displacement
+  static constexpr int MASS = (D == 2) ? 4 : 7;      // mass
+  static constexpr int VOLUME = (D == 2) ? 5 : 3;    // weight of the gradient sweep, this step's,
+                                                     // over h0^(D+2); for heat: K of the stress row
+  static constexpr int LENGTHS = (D == 2) ? 4 : 8;    // block of the lengths, which have lanes
+  static constexpr int H_LANE = (D == 2) ? 2 : 0;     // H_LANE of it and the next one
+  static constexpr int H = LENGTHS + H_LANE;          // smoothing length
+  static constexpr int NEAR = H + 1;                  // support of the nearest-neighbor kernel Wbar
+  static constexpr int STRIDE = LENGTHS + BLOCK;
+  static constexpr int SHORT = 8;    // of rows without lengths
 };
 
 // stress row, filled by the constitutive update and sent to ghosts.

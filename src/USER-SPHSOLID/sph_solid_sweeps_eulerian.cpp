@@ -37,6 +37,11 @@ template <int D> struct EulerianSweeps<D>::Scratch {
       if (!uniform) h[n] = h_of;
       n++;
     }
+    // some of as many as there are lanes; room for as many more behind the last one
+    void add(const int *neighbors, Pack r2_of, Pack wanted)
+    {
+      n += collect_positive(wanted, neighbors, r2_of, j + n, r2 + n);
+    }
     void add(const Found &others, bool uniform)
     {
       for (int k = 0; k < others.n; k++) j[n + k] = others.j[k];
@@ -54,16 +59,16 @@ template <int D> struct EulerianSweeps<D>::Scratch {
   void begin_batch(int candidates)
   {
     first_of_batch = first;
-    if (static_cast<int>(distance.size()) >= candidates) return;
-    distance.resize(candidates);
-    length.resize(candidates);
+    if (static_cast<int>(distance.size()) >= candidates + LANES) return;
+    distance.resize(candidates + LANES);
+    length.resize(candidates + LANES);
   }
   void begin(int *row, int candidates)
   {
-    if (static_cast<int>(far_j.size()) < candidates) {
-      far_j.resize(candidates);
-      far_r2.resize(candidates);
-      far_h.resize(candidates);
+    if (static_cast<int>(far_j.size()) < candidates + LANES) {
+      far_j.resize(candidates + LANES);
+      far_r2.resize(candidates + LANES);
+      far_h.resize(candidates + LANES);
     }
     const int at = first - first_of_batch;
     near = {row, distance.data() + at, length.data() + at, 0};
@@ -84,12 +89,29 @@ void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
   const double *kall = krow.data(), *ri = kin(i);
   // copies, which the compiler need not read again after each store
   typename Scratch::Found near = s.near, far = s.far;
-  const double own_h = ri[Kin::H], own_near = ri[Kin::NEAR];
+  const double own_h = UNIFORM ? common_h : ri[Kin::H],
+               own_near = UNIFORM ? common_near : ri[Kin::NEAR];
   double x[D];
   std::copy(ri + Kin::X, ri + Kin::X + D, x);
-  for (int jj = 0; jj < n; jj++) {
+  int jj = 0;
+  if constexpr (COLLECTS_LANES && D == 3 && UNIFORM && !IMAGES) {    // rows are long
+    const Pack own = load_block(ri), reach2(4.0 * own_h * own_h), support2(own_near * own_near);
+    for (; jj + LANES <= n; jj += LANES) {
+      int j[LANES];
+      for (int m = 0; m < LANES; m++) j[m] = list[jj + m] & INDEX_MASK;
+      Pack d[BLOCK];
+      for (int m = 0; m < BLOCK; m++)
+        d[m] = own - load(Addresses(kall, j + m, stride_of<UNIFORM>()));
+      transpose(d[0], d[1], d[2], d[3]);
+      Pack r2 = d[0] * d[0];
+      for (int a = 1; a < D; a++) r2 = multiply_add(d[a], d[a], r2);
+      near.add(j, r2, support2 - r2);
+      far.add(j, r2, where_positive(support2 - r2, Pack(-1.0), reach2 - r2));
+    }
+  }
+  for (; jj < n; jj++) {
     const int j = list[jj] & INDEX_MASK;
-    const double *rj = kall + static_cast<std::ptrdiff_t>(j) * Kin::STRIDE;
+    const double *rj = kall + static_cast<std::ptrdiff_t>(j) * stride_of<UNIFORM>();
     double r2 = (x[0] - rj[0]) * (x[0] - rj[0]);
     for (int a = 1; a < D; a++) r2 = multiply_add(x[a] - rj[a], x[a] - rj[a], r2);
     const double reach = own_h + (UNIFORM ? own_h : rj[Kin::H]);    // 2 h_ij
@@ -119,7 +141,7 @@ void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
   const int nearest = s.near.n;
   s.near.add(s.far, UNIFORM);
   const int n = s.near.n;
-  const double h = kin(i)[Kin::H], outside = 16.0 * h * h;    // without weight
+  const double h = UNIFORM ? common_h : kin(i)[Kin::H], outside = 16.0 * h * h;    // without weight
   while (n > 0 && s.near.n < whole_vectors(n)) s.near.add(row[n - 1], outside, h, UNIFORM);
   pairs.first[i] = s.first;
   pairs.near_first[i] = needs_correction() ? s.near_first : 0;
@@ -132,10 +154,10 @@ void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
 // kernel gradients of the pairs of a batch, and r in place of r^2: grad_i W = F (x_i - x_j), stored is
 // F h0^(D+2).  A short loop of its own, so that the processor has many roots and divisions on the way
 
-template <int D> template <bool UNIFORM> void EulerianSweeps<D>::find_factors(int i, Scratch &s)
+template <int D> template <bool UNIFORM> void EulerianSweeps<D>::find_factors(Scratch &s)
 {
   const double per_unit = 1.0 / unit_factor;
-  const Pack same_h(kin(i)[Kin::H]);
+  const Pack same_h(common_h);
   float *factors = pairs.factor.data() + s.first_of_batch;
   double *distance = s.distance.data();
   const double *length = s.length.data();
@@ -159,7 +181,7 @@ void EulerianSweeps<D>::accumulate(int i, const Scratch &s, Sums &sums, int lane
   const double *distance = s.distance.data() + (start - s.first_of_batch);
   double *weights = near_weight.data() + pairs.near_first[i];
   TensorSums<D> moment, velocity;
-  const Pack own_near(ki[Kin::NEAR]);
+  const Pack own_near(UNIFORM ? common_near : ki[Kin::NEAR]);
   Pack nsum = 0.0;
 
   for (int k = 0; k < count; k += LANES) {
@@ -167,21 +189,22 @@ void EulerianSweeps<D>::accumulate(int i, const Scratch &s, Sums &sums, int lane
     Motion<D> d[BLOCK];
     Pack inertia[BLOCK];
     for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, Kin::STRIDE);
+      const Addresses kj(kall, j + m, stride_of<UNIFORM>());
       d[m] = own - Motion<D>(kj);
-      inertia[m] = load(kj + Kin::MASS);
+      if (D == 2 || !UNIFORM) inertia[m] = load(kj + Kin::LENGTHS);
     }
-    transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // mass, volume, h, near
+    if (D == 2 || !UNIFORM) transpose(inertia[0], inertia[1], inertia[2], inertia[3]);
     const Components<D> apart = Motion<D>::components(d);
-    const Pack near = UNIFORM ? own_near : inertia[3];
-    const Pack w = -(inertia[1] * load(factors + k));
+    const Pack near = UNIFORM ? own_near : inertia[Kin::H_LANE + 1];
+    const Pack mass = D == 2 ? inertia[0] : -apart.free[1];
+    const Pack w = (D == 2 ? -inertia[1] : apart.free[0]) * load(factors + k);
     Pack g[D];
     for (int a = 0; a < D; a++) g[a] = w * apart.x[a];
     moment.add_symmetric(apart.x, g);
     velocity.add(apart.v, g);
     if (k < nearest) {
-      const Pack m_wbar = Base::wbar_mass(load(distance + k), inertia[0], own_near, near) *
-          first_lanes(nearest - k);
+      const Pack m_wbar =
+          Base::wbar_mass(load(distance + k), mass, own_near, near) * first_lanes(nearest - k);
       store(weights + k, m_wbar);
       nsum += m_wbar;
     }
@@ -202,7 +225,7 @@ void EulerianSweeps<D>::find_sums(const Batch &batch, const NeighborRows &list, 
   for (int m = 0; m < batch.n; m++) candidates += room_of_row(batch.i[m], list);
   s.begin_batch(candidates);
   for (int m = 0; m < batch.n; m++) find_pairs<UNIFORM>(batch.i[m], list, s);
-  find_factors<UNIFORM>(batch.i[0], s);
+  find_factors<UNIFORM>(s);
   for (int m = 0; m < LANES; m++) accumulate<UNIFORM>(batch.i[m], s, sums, m);
 }
 
@@ -354,14 +377,14 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     const Pack F = load(factors + k);
     const Spread factor(F);
     for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, Kin::STRIDE), sj(sall, j + m, STRIDE);
+      const Addresses kj(kall, j + m, stride_of<UNIFORM>()), sj(sall, j + m, STRIDE);
       d[m] = own - Motion<D>(kj);
       state[m] = load(sj + Str::K);
       const Several<D> X = d[m].spread_x();
       const Pack KF = shuffle<0, 0, 0, 0>(state[m]) * factor[m];
       stress = multiply_add(KF, times(T + load_tensor<D>(sj), X), stress);
       if (TENSILE) tensile[m] = KF * times(R + load_tensor<D>(sj + R_AT), X);
-      if (!UNIFORM && (VISCOUS || TENSILE)) inertia[m] = load(kj + Kin::MASS);
+      if (!UNIFORM && (VISCOUS || TENSILE)) inertia[m] = load(kj + Kin::LENGTHS);
       if (RATES) {
         const Pack x = d[m].expanded_x();
         l_i[m] = x * times(rate, X);
@@ -374,10 +397,11 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     const Pack r2 = apart.x_dot_x();
     Pack vr = apart.v_dot_x();
     if (!UNIFORM) transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // .., .., h, near
-    const Pack h = UNIFORM ? Pack(ki[Kin::H]) : 0.5 * (ki[Kin::H] + inertia[2]);
+    const Pack h = UNIFORM ? Pack(common_h) : 0.5 * (ki[Kin::H] + inertia[Kin::H_LANE]);
     if (TENSILE) {
-      const Pack near = UNIFORM ? Pack(ki[Kin::NEAR]) : inertia[3];
-      const Pack spacing = (0.5 / opt.hbar) * (ki[Kin::NEAR] + near);
+      const Pack own_near(UNIFORM ? common_near : ki[Kin::NEAR]);
+      const Pack near = UNIFORM ? own_near : inertia[Kin::H_LANE + 1];
+      const Pack spacing = (0.5 / opt.hbar) * (own_near + near);
       const Pack fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
       store(&crowd[k], fn);
       const Spread each(fn);
@@ -419,6 +443,8 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       p.f[i][a] += mass * viscous_sum[a];
   }
   if (this->limits_step) mu_max[i] = -least(mu_least);
+  // heat reads it next to what else it reads of a neighbor: no one else needs the volume any more
+  krow[static_cast<std::size_t>(i) * stride + Kin::VOLUME] = si[Str::K];
 }
 
 }    // namespace

@@ -524,6 +524,36 @@ inline double where_positive(double condition, double a, double b)
   return condition > 0.0 ? a : b;
 }
 
+// the lanes of j and v where condition > 0, side by side; returns how many.  What is written behind
+// them, up to a whole vector, is of no use.  Where that takes more than a branch per lane, no one should
+// call it
+
+#if defined(SPHSOLID_AVX512) && defined(__AVX512VL__)
+constexpr bool COLLECTS_LANES = true;
+inline int collect_positive(Pack condition, const int *j, Pack v, int *to_j, double *to_v)
+{
+  const __mmask8 wanted = _mm512_cmp_pd_mask(condition.native(), Native{}, _CMP_GT_OQ);
+  __m256i lanes;
+  std::memcpy(&lanes, j, sizeof(lanes));
+  lanes = _mm256_maskz_compress_epi32(wanted, lanes);
+  std::memcpy(to_j, &lanes, sizeof(lanes));
+  store(to_v, Pack(_mm512_maskz_compress_pd(wanted, v.native())));
+  return __builtin_popcount(wanted);
+}
+#else
+constexpr bool COLLECTS_LANES = false;
+inline int collect_positive(Pack condition, const int *j, Pack v, int *to_j, double *to_v)
+{
+  int n = 0;
+  for (int k = 0; k < LANES; k++) {
+    if (!(condition[k] > 0.0)) continue;
+    to_j[n] = j[k];
+    to_v[n++] = v[k];
+  }
+  return n;
+}
+#endif
+
 // of two, one of which is not a number, the second one
 
 inline double minimum(double a, double b)
@@ -601,6 +631,17 @@ inline double least(Pack a)
   double least = a[0];
   for (int k = 1; k < BLOCK; k++) least = a[k] < least ? a[k] : least;
   return least;
+}
+
+inline bool all_positive(Pack a)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_cmp_pd_mask(a.native(), Native{}, _CMP_GT_OQ) == 0xFF;
+#else
+  bool all = true;
+  for (int k = 0; k < LANES; k++) all = all && a[k] > 0.0;
+  return all;
+#endif
 }
 
 // {sum of a, of b, of c, of d}

@@ -86,6 +86,7 @@ TEST(Columns, AreReadFromAnywhere)
   expect_numbers(one, n, components);
   expect_numbers(several, n, components);
   for (int k = 0; k < n; k++) {
+    EXPECT_EQ(one.column(one.at(k)), k);
     EXPECT_EQ(several.get(k, 1), number(k, 1));
     for (int c = 0; c < components; c++) {
       EXPECT_EQ(one.row(k)[c], number(k, c));
