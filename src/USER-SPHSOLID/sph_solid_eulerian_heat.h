@@ -18,9 +18,11 @@ template <int D>
 void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
 {
   mirror_vectors(&krow[Kin::V], stride);
-  // where volumes lie until velocities are new; for own particles the force sweep has done so
-  for (int row = nown; row < nrows; row++)
-    krow[static_cast<std::size_t>(row) * stride + Kin::VOLUME] = str(row)[Str::K];
+  // next to what else is read of a neighbor, where its volume lies until velocities are new
+  each_share(nthreads, nrows, [&](int first, int end) {
+    for (int row = first; row < end; row++)
+      krow[static_cast<std::size_t>(row) * stride + Kin::VOLUME] = str(row)[Str::K];
+  });
   typename Base::Totals totals;
   with_flags(
       [&](auto pull, auto tensile, auto correct, auto same) {

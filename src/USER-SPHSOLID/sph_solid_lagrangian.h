@@ -39,6 +39,7 @@
 #include "sph_solid_space.h"
 
 #include <mutex>
+#include <utility>
 
 using namespace SPHSolid;
 
@@ -173,7 +174,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     template <int END> void prefetch_ahead(int slot, const double *j) const
     {
       constexpr int AHEAD = 16;
-      if (foremost[slot]) prefetch_components<END>(j + AHEAD);
+      if (foremost[slot]) prefetch_components(j + AHEAD, std::make_integer_sequence<int, END>());
     }
 
    private:
@@ -185,19 +186,14 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     Scratch scratch;
   };
   const double *gather(const int *from, int last, Scratch &) const;
-  template <int END> static void prefetch_components(const double *at)
+  template <int... C>
+  static void prefetch_components(const double *at, std::integer_sequence<int, C...>)
   {
-#if defined(__GNUC__)
-#pragma GCC unroll 64
-#endif
-    for (int c = 0; c < END; c++) prefetch(at + c * NEXT, 1);
+    (prefetch(at + C * NEXT, 1), ...);
   }
 
   // of the particles of a block, or of a slot's neighbors
-  static Pack component(const double *at, int c)
-  {
-    return load(at + c * NEXT);
-  }
+  static Pack component(const double *at, int c) { return load(at + c * NEXT); }
   static Tensors tensor(const double *at, int c)
   {
     Tensors t;
@@ -214,10 +210,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   {
     return load(constants + Slots::FACTOR) * component(j, WEIGHT);
   }
-  Pack factor(int slot, const double *j) const
-  {
-    return factor(slots.constants.of(slot), j);
-  }
+  Pack factor(int slot, const double *j) const { return factor(slots.constants.of(slot), j); }
   static Components<D> motion(const double *i, const double *j)
   {
     Components<D> d;
@@ -240,10 +233,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     return t;
   }
   static constexpr int SYMMETRIC = D * (D + 1) / 2;
-  double *correction_of(int block)
-  {
-    return &B[block * std::size_t(SYMMETRIC) * LANES];
-  }
+  double *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
   const double *correction_of(int block) const
   {
     return &B[block * std::size_t(SYMMETRIC) * LANES];

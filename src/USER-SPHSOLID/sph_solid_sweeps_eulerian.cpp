@@ -443,8 +443,6 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       p.f[i][a] += mass * viscous_sum[a];
   }
   if (this->limits_step) mu_max[i] = -least(mu_least);
-  // heat reads it next to what else it reads of a neighbor: no one else needs the volume any more
-  krow[static_cast<std::size_t>(i) * stride + Kin::VOLUME] = si[Str::K];
 }
 
 }    // namespace

@@ -524,9 +524,8 @@ inline double where_positive(double condition, double a, double b)
   return condition > 0.0 ? a : b;
 }
 
-// the lanes of j and v where condition > 0, side by side; returns how many.  What is written behind
-// them, up to a whole vector, is of no use.  Where that takes more than a branch per lane, no one should
-// call it
+// the lanes of j and v where condition > 0, side by side; returns how many.  A whole vector is
+// written, of which the rest is of no use.  COLLECTS_LANES: without a branch per lane
 
 #if defined(SPHSOLID_AVX512) && defined(__AVX512VL__)
 constexpr bool COLLECTS_LANES = true;
