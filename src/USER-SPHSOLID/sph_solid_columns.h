@@ -18,6 +18,7 @@
 #ifndef LMP_SPH_SOLID_COLUMNS_H
 #define LMP_SPH_SOLID_COLUMNS_H
 
+#include "sph_solid_storage.h"
 #include "sph_solid_vector.h"
 
 #include <algorithm>

@@ -55,8 +55,8 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
       PointSweeps<D>(o, t),
       ntensors((o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0)),
       stress_stride(extra(ntensors)), uniform(are_alike(t)),
-      stride(uniform ? Kin::SHORT : Kin::STRIDE), common_h(Base::largest_h(t)),
-      common_near(o.hbar * largest_spacing(t))
+      stride(uniform ? Kin::SHORT : Kin::STRIDE), common_h(Base::largest(t, &TypeData::h)),
+      common_near(o.hbar * Base::largest(t, &TypeData::spacing))
   {
   }
 
@@ -112,17 +112,21 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
     }
     return true;
   }
-  static double largest_spacing(const std::vector<TypeData> &types)
-  {
-    double spacing = 0.0;
-    for (const TypeData &type : types) spacing = std::max(spacing, type.spacing);
-    return spacing;
-  }
   template <bool UNIFORM> static constexpr int stride_of()
   {
     return UNIFORM ? Kin::SHORT : Kin::STRIDE;
   }
+  double *kin(int i) { return &krow[static_cast<std::size_t>(i) * stride]; }
   const double *kin(int i) const { return &krow[static_cast<std::size_t>(i) * stride]; }
+  // of a kinematic row
+  template <bool UNIFORM> double h_of(const double *row) const
+  {
+    return UNIFORM ? common_h : row[Kin::H];
+  }
+  template <bool UNIFORM> double near_of(const double *row) const
+  {
+    return UNIFORM ? common_near : row[Kin::NEAR];
+  }
   double *str(int i) { return &srow[i * stress_stride]; }
   const double *str(int i) const { return &srow[i * stress_stride]; }
   // tensor k of those that follow the fixed part of a row
@@ -142,12 +146,8 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   void size_rows(const Particles &);
   void make_room_for_pairs(const NeighborRows &);
   int images_of(int i) const { return images.any() ? image_first[i + 1] - image_first[i] : 0; }
-  int room_of_row(int i, const NeighborRows &list) const    // all candidates
-  {
-    return whole_vectors(list.numneigh[i] + images_of(i));
-  }
   void pack_constants(const Particles &, int i, double *row) const;
-  void mirror_vectors(double *rows, int stride) const;
+  void mirror_vectors(double *rows, int step) const;
   double *place_of(Message, int i);
   void write_rows(const Batch &, const Points &, const Tensor<D, Pack> &T, Pack K, Pack nsum);
   void write_tensors(const Batch &, int at, const Tensor<D, Pack> &);

@@ -20,8 +20,7 @@ void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double
   mirror_vectors(&krow[Kin::V], stride);
   // next to what else is read of a neighbor, where its volume lies until velocities are new
   each_share(nthreads, nrows, [&](int first, int end) {
-    for (int row = first; row < end; row++)
-      krow[static_cast<std::size_t>(row) * stride + Kin::VOLUME] = str(row)[Str::K];
+    for (int row = first; row < end; row++) kin(row)[Kin::VOLUME] = str(row)[Str::K];
   });
   typename Base::Totals totals;
   with_flags(

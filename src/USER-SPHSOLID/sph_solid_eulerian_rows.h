@@ -34,8 +34,7 @@ template <int D> void EulerianSweeps<D>::size_rows(const Particles &p)
   for (std::vector<int> *of : {&pairs.first, &pairs.count, &pairs.near_first, &pairs.nearest})
     of->assign(p.nlocal, 0);
   each_share(nthreads, nrows, [&](int first, int end) {
-    for (int row = first; row < end; row++)
-      pack_constants(p, source_of(row), &krow[static_cast<std::size_t>(row) * stride]);
+    for (int row = first; row < end; row++) pack_constants(p, source_of(row), kin(row));
   });
 }
 
@@ -45,12 +44,15 @@ template <int D> void EulerianSweeps<D>::make_room_for_pairs(const NeighborRows 
 {
   std::size_t n = 0;
   pairs.begin.clear();
+  pairs.most = 0;
   for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii];
     if (ii % LANES == 0) {
       pairs.begin.push_back(static_cast<int>(n));
       n += LANES;    // which may be written to behind the last candidate
     }
-    n += room_of_row(list.ilist[ii], list);
+    n += whole_vectors(list.numneigh[i] + images_of(i));
+    pairs.most = std::max(pairs.most, static_cast<int>(n) - pairs.begin.back());
   }
   make_room(pairs.j, n);
   make_room(pairs.factor, n);
@@ -75,10 +77,9 @@ void EulerianSweeps<D>::pack_constants(const Particles &p, int i, double *row) c
 
 template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
 {
-  double *rows = krow.data();
   each_share(nthreads, p.nall, [&](int first, int end) {
     for (int i = first; i < end; i++) {
-      double *row = rows + static_cast<std::size_t>(i) * stride;
+      double *row = kin(i);
       const double *x = p.x[i], *vi = v[i];
       for (int a = 0; a < D; a++) {
         row[Kin::X + a] = x[a];
@@ -89,7 +90,7 @@ template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, con
   });
   for (int k = 0; k < nrows - p.nall; k++) {
     const double *from = kin(images.source_of(k));
-    double *row = &krow[static_cast<std::size_t>(p.nall + k) * stride];
+    double *row = kin(p.nall + k);
     double sign[3];
     images.signs(k, sign);
     images.template position<D>(k, from + Kin::X, row + Kin::X);
@@ -146,8 +147,7 @@ template <int D> double *EulerianSweeps<D>::place_of(Message what, int i)
 {
   if (what == Message::STRESS) return str(i);
   if (what == Message::SWITCH) return str(i) + Str::SWITCH;
-  return what == Message::VISCOUS ? &da[i * VECTOR]
-                                  : &krow[static_cast<std::size_t>(i) * stride + Kin::V];
+  return what == Message::VISCOUS ? &da[i * VECTOR] : kin(i) + Kin::V;
 }
 
 template <int D> void EulerianSweeps<D>::pack(Message what, int i, double *out) const
@@ -188,13 +188,13 @@ template <int D> void EulerianSweeps<D>::mirror_stress()
   if (keeps_pairs()) make_room(pull, pairs.j.size());
 }
 
-template <int D> void EulerianSweeps<D>::mirror_vectors(double *rows, int stride) const
+template <int D> void EulerianSweeps<D>::mirror_vectors(double *rows, int step) const
 {
   for (int k = 0; k < nrows - nparticles; k++) {
     double sign[3];
     images.signs(k, sign);
     for (int a = 0; a < D; a++)
-      rows[(nparticles + k) * stride + a] = sign[a] * rows[images.source_of(k) * stride + a];
+      rows[(nparticles + k) * step + a] = sign[a] * rows[images.source_of(k) * step + a];
   }
 }
 

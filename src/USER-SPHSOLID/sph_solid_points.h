@@ -13,6 +13,7 @@
 #include "sph_solid_eos.h"
 #include "sph_solid_kernel.h"
 #include "sph_solid_lanes.h"
+#include "sph_solid_storage.h"
 #include "sph_solid_strength.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_switch.h"
@@ -62,7 +63,7 @@ template <class Call> void with_form(PairForm form, Call call)
 template <int D> class PointSweeps : public Sweeps {
  public:
   PointSweeps(const Options &o, const std::vector<TypeData> &t) :
-      opt(o), types(t), unit_factor(std::pow(largest_h(t), -(D + 2)))
+      opt(o), types(t), unit_factor(std::pow(largest(t, &TypeData::h), -(D + 2)))
   {
     for (const TypeData &type : types) {
       resistances.push_back(resistance(type.material));
@@ -78,11 +79,11 @@ template <int D> class PointSweeps : public Sweeps {
   // 1/h0^(D+2), h0 the largest smoothing length, so that kernel gradients stored in single precision
   // are of order 1 in any units
   const double unit_factor;
-  static double largest_h(const std::vector<TypeData> &types)
+  static double largest(const std::vector<TypeData> &types, double TypeData::*length)
   {
-    double h = 0.0;
-    for (const TypeData &type : types) h = std::max(h, type.h);
-    return h;
+    double most = 0.0;
+    for (const TypeData &type : types) most = std::max(most, type.*length);
+    return most;
   }
   std::vector<Resistance<>> resistances;    // of the types
   std::vector<Compression<>> compressions;

@@ -9,6 +9,7 @@
 #ifndef LMP_SPH_SOLID_ROWS_H
 #define LMP_SPH_SOLID_ROWS_H
 
+#include "sph_solid_storage.h"
 #include "sph_solid_vector.h"
 
 #include <vector>
@@ -69,6 +70,7 @@ template <int D> struct Stress {
 struct Pairs {
   std::vector<int> first, count, near_first, nearest;
   std::vector<int> begin;
+  int most = 0;          // room of a batch at most
   Room<int> j;           // row index of the neighbor
   Room<float> factor;    // F_ij h0^(D+2), h0 the largest smoothing length: of order 1 in any units
 };

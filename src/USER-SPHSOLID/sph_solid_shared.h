@@ -11,7 +11,7 @@
 #define LMP_SPH_SOLID_SHARED_H
 
 #include "sph_solid_fingerprint.h"
-#include "sph_solid_vector.h"
+#include "sph_solid_storage.h"
 
 #include <cstring>
 #include <vector>

@@ -13,6 +13,7 @@
 #define LMP_SPH_SOLID_SLOTS_H
 
 #include "sph_solid_shared.h"
+#include "sph_solid_vector.h"
 
 #include <cstdint>
 #include <vector>

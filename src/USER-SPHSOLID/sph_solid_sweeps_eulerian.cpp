@@ -54,22 +54,14 @@ template <int D> struct EulerianSweeps<D>::Scratch {
   int first, near_first, first_of_batch;
   Rows distance, length;    // of a batch: r^2, then r; h
 
-  explicit Scratch(int begin) : first(begin), near_first(begin), first_of_batch(begin) {}
-  // before the rows of a batch, so many candidates at most
-  void begin_batch(int candidates)
+  // room: of the largest batch
+  Scratch(int begin, int room, bool uniform) :
+      first(begin), near_first(begin), first_of_batch(begin), distance(room),
+      length(uniform ? 0 : room), far_j(room), far_r2(room), far_h(uniform ? 0 : room)
   {
-    first_of_batch = first;
-    if (static_cast<int>(distance.size()) >= candidates + LANES) return;
-    distance.resize(candidates + LANES);
-    length.resize(candidates + LANES);
   }
-  void begin(int *row, int candidates)
+  void begin(int *row)
   {
-    if (static_cast<int>(far_j.size()) < candidates + LANES) {
-      far_j.resize(candidates + LANES);
-      far_r2.resize(candidates + LANES);
-      far_h.resize(candidates + LANES);
-    }
     const int at = first - first_of_batch;
     near = {row, distance.data() + at, length.data() + at, 0};
     far = {far_j.data(), far_r2.data(), far_h.data(), 0};
@@ -89,8 +81,7 @@ void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
   const double *kall = krow.data(), *ri = kin(i);
   // copies, which the compiler need not read again after each store
   typename Scratch::Found near = s.near, far = s.far;
-  const double own_h = UNIFORM ? common_h : ri[Kin::H],
-               own_near = UNIFORM ? common_near : ri[Kin::NEAR];
+  const double own_h = h_of<UNIFORM>(ri), own_near = near_of<UNIFORM>(ri);
   double x[D];
   std::copy(ri + Kin::X, ri + Kin::X + D, x);
   int jj = 0;
@@ -134,14 +125,14 @@ void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
 {
   int *row = pairs.j.data() + s.first;
   const int of_images = images_of(i);
-  s.begin(row, list.numneigh[i] + of_images);
+  s.begin(row);
   gather<UNIFORM, false>(i, list.numneigh[i], list.firstneigh[i], s);
   if (of_images > 0) gather<UNIFORM, true>(i, of_images, &image_j[image_first[i]], s);
 
   const int nearest = s.near.n;
   s.near.add(s.far, UNIFORM);
   const int n = s.near.n;
-  const double h = UNIFORM ? common_h : kin(i)[Kin::H], outside = 16.0 * h * h;    // without weight
+  const double h = h_of<UNIFORM>(kin(i)), outside = 16.0 * h * h;    // without weight
   while (n > 0 && s.near.n < whole_vectors(n)) s.near.add(row[n - 1], outside, h, UNIFORM);
   pairs.first[i] = s.first;
   pairs.near_first[i] = needs_correction() ? s.near_first : 0;
@@ -181,7 +172,7 @@ void EulerianSweeps<D>::accumulate(int i, const Scratch &s, Sums &sums, int lane
   const double *distance = s.distance.data() + (start - s.first_of_batch);
   double *weights = near_weight.data() + pairs.near_first[i];
   TensorSums<D> moment, velocity;
-  const Pack own_near(UNIFORM ? common_near : ki[Kin::NEAR]);
+  const Pack own_near(near_of<UNIFORM>(ki));
   Pack nsum = 0.0;
 
   for (int k = 0; k < count; k += LANES) {
@@ -221,9 +212,7 @@ template <bool UNIFORM>
 void EulerianSweeps<D>::find_sums(const Batch &batch, const NeighborRows &list, Scratch &s,
                                   Sums &sums)
 {
-  int candidates = 0;
-  for (int m = 0; m < batch.n; m++) candidates += room_of_row(batch.i[m], list);
-  s.begin_batch(candidates);
+  s.first_of_batch = s.first;
   for (int m = 0; m < batch.n; m++) find_pairs<UNIFORM>(batch.i[m], list, s);
   find_factors<UNIFORM>(s);
   for (int m = 0; m < LANES; m++) accumulate<UNIFORM>(batch.i[m], s, sums, m);
@@ -235,7 +224,7 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, do
   std::atomic<int> bad(-1);
   auto of_share = [&](int first, int end) {
     double plastic = 0.0;
-    Scratch s(first < end ? pairs.begin[first] : 0);
+    Scratch s(first < end ? pairs.begin[first] : 0, pairs.most, uniform);
     for (int at = first * LANES; at < end * LANES; at += LANES) {
       const Batch batch(list, at);
       prefetch_points(p, batch);
@@ -399,7 +388,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
     if (!UNIFORM) transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // .., .., h, near
     const Pack h = UNIFORM ? Pack(common_h) : 0.5 * (ki[Kin::H] + inertia[Kin::H_LANE]);
     if (TENSILE) {
-      const Pack own_near(UNIFORM ? common_near : ki[Kin::NEAR]);
+      const Pack own_near(near_of<UNIFORM>(ki));
       const Pack near = UNIFORM ? own_near : inertia[Kin::H_LANE + 1];
       const Pack spacing = (0.5 / opt.hbar) * (own_near + near);
       const Pack fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
