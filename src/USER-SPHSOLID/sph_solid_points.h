@@ -79,10 +79,12 @@ template <int D> class PointSweeps : public Sweeps {
   // 1/h0^(D+2), h0 the largest smoothing length, so that kernel gradients stored in single precision
   // are of order 1 in any units
   const double unit_factor;
+  // of types that have a material
   static double largest(const std::vector<TypeData> &types, double TypeData::*length)
   {
     double most = 0.0;
-    for (const TypeData &type : types) most = std::max(most, type.*length);
+    for (const TypeData &type : types)
+      if (type.h > 0.0) most = std::max(most, type.*length);
     return most;
   }
   std::vector<Resistance<>> resistances;    // of the types

@@ -89,6 +89,7 @@ class Cloud {
   // a second type with another smoothing length, if it is not 0, and the particles of it
   double other_h = 0.0;
   std::vector<int> others;
+  double strange_spacing = 0.0;    // of the type that has no material
   std::unique_ptr<Sweeps> sweeps;
 
   explicit Cloud(int dimension) : dim(dimension)
@@ -203,6 +204,7 @@ class Cloud {
     rho_weight = rho;
     force.assign(3 * size(), 0.0);
     std::vector<TypeData> types = {TypeData(), {material, opt.h, spacing}};
+    types[0].spacing = strange_spacing;
     if (other_h > 0.0) types.push_back({material, other_h, spacing});
     sweeps = Sweeps::create(dim, opt, types);
     sweeps->nthreads = nthreads;

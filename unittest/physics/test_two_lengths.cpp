@@ -46,6 +46,17 @@ TEST_P(Lengths, OneThatNobodyHasChangesNothing)
   EXPECT_LT(largest(difference), 1e-13 * largest(heat));
 }
 
+// of particles that another pair style has, as in a hybrid: neither a smoothing length nor a spacing
+
+TEST_P(Lengths, TypesWithoutMaterialChangeNothing)
+{
+  Cloud c = cloud(), beside = cloud();
+  beside.strange_spacing = 3.0;
+  ASSERT_EQ(c.evaluate(0.01), -1);
+  ASSERT_EQ(beside.evaluate(0.01), -1);
+  for (int i = 0; i < c.size(); i++) ASSERT_EQ(c.f(i), beside.f(i)) << i;
+}
+
 TEST_P(Lengths, MomentumAndEnergyAreConserved)
 {
   Cloud c = cloud();
