@@ -27,6 +27,8 @@ using namespace LAMMPS_NS;
 
 static std::map<Atom *, std::unique_ptr<SPHSolidArrays>> registry;
 
+static const char *const VHALF[] = {"sph_solid_vhalf_x", "sph_solid_vhalf_y", "sph_solid_vhalf_z"};
+
 static bool is_registered(Atom *atom, const std::string &name)
 {
   for (const auto &item : atom->peratom)
@@ -61,7 +63,7 @@ AtomVecSPHSolid::AtomVecSPHSolid(LAMMPS *lmp) : AtomVec(lmp), own(nullptr)
     own = registry[atom].get();
     atom->add_peratom("sph_solid_stress", &own->stress, Atom::DOUBLE, 6);
     atom->add_peratom("sph_solid_epl", &own->epl, Atom::DOUBLE, 0);
-    atom->add_peratom("sph_solid_vhalf", &own->vhalf, Atom::DOUBLE, 3);
+    for (int k = 0; k < 3; k++) atom->add_peratom(VHALF[k], &own->vhalf[k], Atom::DOUBLE, 0);
     atom->add_peratom("sph_solid_rho_weight", &own->rho_weight, Atom::DOUBLE, 0);
   } else
     own = registry[atom].get();
@@ -70,14 +72,9 @@ AtomVecSPHSolid::AtomVecSPHSolid(LAMMPS *lmp) : AtomVec(lmp), own(nullptr)
   // a new atom is all zero: the pair style takes mass and density from its card
   // what neighbors need every step travels in the pair style's own messages
 
-  const std::vector<std::string> state = {"rmass",
-                                          "vfrac",
-                                          "rho",
-                                          "esph",
-                                          "sph_solid_stress",
-                                          "sph_solid_epl",
-                                          "sph_solid_vhalf",
-                                          "sph_solid_rho_weight"};
+  const std::vector<std::string> state = {
+      "rmass",         "vfrac",  "rho",    "esph",   "sph_solid_stress",
+      "sph_solid_epl", VHALF[0], VHALF[1], VHALF[2], "sph_solid_rho_weight"};
 
   fields_grow = state;
   fields_copy = state;
@@ -119,7 +116,7 @@ void AtomVecSPHSolid::data_atom_post(int ilocal)
                atom->tag[ilocal], atom->rho[ilocal]);
 
   for (int k = 0; k < 6; k++) own->stress[ilocal][k] = 0.0;
-  for (int k = 0; k < 3; k++) own->vhalf[ilocal][k] = 0.0;
+  for (int k = 0; k < 3; k++) own->vhalf[k][ilocal] = 0.0;
   own->epl[ilocal] = 0.0;
   own->rho_weight[ilocal] = 0.0;
 }

@@ -27,9 +27,11 @@ namespace LAMMPS_NS {
 // per-atom state of a solid that core LAMMPS has no array for
 
 struct SPHSolidArrays {
-  double **stress;       // deviatoric Cauchy stress xx yy zz xy xz yz [pressure]
-  double *epl;           // effective plastic strain [-]
-  double **vhalf;        // velocity at the last force evaluation, half a step back [velocity]
+  double **stress;    // deviatoric Cauchy stress xx yy zz xy xz yz [pressure]
+  double *epl;        // effective plastic strain [-]
+  // velocity at the last force evaluation, half a step back, once it is kept (PairSPHSolid), by
+  // components: one array of rows has a pointer to each besides [velocity]
+  double *vhalf[3];
   double *rho_weight;    // density behind the volume weights of that evaluation [density]
 };
 

@@ -20,7 +20,6 @@
 #include "error.h"
 #include "force.h"
 #include "group.h"
-#include "memory.h"
 #include "modify.h"
 #include "pair_sph_solid.h"
 #include "sph_solid_fingerprint.h"
@@ -40,8 +39,7 @@ using namespace FixConst;
 
 /* ---------------------------------------------------------------------- */
 
-FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), pair(nullptr), heat(nullptr)
+FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), pair(nullptr)
 {
   if (narg != 3)
     error->all(FLERR, 3, "Fix sph/solid has no arguments after its style, found '{}'", arg[3]);
@@ -51,12 +49,10 @@ FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) :
   leading = heat_on_the_way = false;
   dt_pending = 0.0;
   fingerprint = 0;
-  nmax = 0;
 }
 
 FixSPHSolid::~FixSPHSolid()
 {
-  memory->destroy(heat);
   // unfix: nobody else knows what is due.  At the end of LAMMPS there is no force any more
   if (due.empty() || !force) return;
   pair = dynamic_cast<PairSPHSolid *>(force->pair_match("sph/solid", 1));
@@ -72,8 +68,12 @@ int FixSPHSolid::setmask()
 
 FixSPHSolid *FixSPHSolid::leader(LAMMPS *lmp)
 {
-  for (const auto &fix : lmp->modify->get_fix_list())
+  // not by Modify::get_fix_list(), which makes its list anew: a fix that asks for the leader in
+  // reset_dt() would take it away from the loop over all fixes that calls reset_dt()
+  for (int k = 0; k < lmp->modify->nfix; k++) {
+    Fix *fix = lmp->modify->fix[k];
     if (strcmp(fix->style, "sph/solid") == 0) return dynamic_cast<FixSPHSolid *>(fix);
+  }
   return nullptr;
 }
 
@@ -167,6 +167,7 @@ void FixSPHSolid::setup(int)
 void FixSPHSolid::post_run()
 {
   fingerprint = state_fingerprint();
+  pair->keep_half_step();
   if (leading && dt_pending > 0.0 && pair->has_energy()) keep_due();
 }
 
@@ -174,6 +175,7 @@ void FixSPHSolid::post_run()
 
 void FixSPHSolid::keep_due()
 {
+  due.swap(heat);    // which the next run makes anew
   due.resize(atom->nlocal);
   due_of.resize(atom->nlocal);
   pending_heat(due.data());
@@ -262,10 +264,17 @@ void FixSPHSolid::initial_integrate(int)
     else
       add_heat();
   }
-  kick(0.5 * update->dt * force->ftm2v);
-
-  add_to_moved(atom->x, atom->v, [dt = update->dt](auto) {
-    return dt;
+  // in chunks, so that the drift finds the velocities of the kick in the first-level cache
+  constexpr int CHUNK = 512;
+  const double dt = update->dt;
+  SPHSolid::each_share(comm->nthreads, atom->nlocal, [&](int first, int end) {
+    for (; first < end; first += CHUNK) {
+      const int last = std::min(first + CHUNK, end);
+      kick(first, last, 0.5 * dt * force->ftm2v);
+      add_to_moved(first, last, atom->x, atom->v, [dt](auto) {
+        return dt;
+      });
+    }
   });
 }
 
@@ -278,13 +287,15 @@ void FixSPHSolid::pre_exchange()
 
 void FixSPHSolid::final_integrate()
 {
-  kick(0.5 * update->dt * force->ftm2v);
+  SPHSolid::each_share(comm->nthreads, atom->nlocal, [&](int first, int end) {
+    kick(first, end, 0.5 * update->dt * force->ftm2v);
+  });
   dt_pending = update->dt;
 }
 
-void FixSPHSolid::kick(double dtf)
+void FixSPHSolid::kick(int first, int end, double dtf)
 {
-  add_to_moved(atom->v, atom->f, [dtf](auto mass) {
+  add_to_moved(first, end, atom->v, atom->f, [dtf](auto mass) {
     return dtf / mass;
   });
 }
@@ -293,42 +304,36 @@ void FixSPHSolid::kick(double dtf)
 // only where some of LANES particles side by side are in the group and others are not
 
 template <class Factor>
-void FixSPHSolid::add_to_moved(double **to, double *const *from, Factor factor)
+void FixSPHSolid::add_to_moved(int first, int end, double **to, double *const *from, Factor factor)
 {
   using SPHSolid::LANES;
   const double *rmass = atom->rmass;
   const int *mask = atom->mask, dimension = domain->dimension;
-  SPHSolid::each_share(comm->nthreads, atom->nlocal, [&](int first, int end) {
-    for (; first < end; first += LANES) {
-      int of_all = groupbit;
-      for (int i = first; i < std::min(first + LANES, end); i++) of_all &= mask[i];
-      if (of_all && first + LANES <= end) {
-        const SPHSolid::Pack factors = factor(SPHSolid::load(rmass + first));
-        if (dimension == 3)
-          SPHSolid::add_multiples<3>(to[first], from[first], factors);
-        else
-          SPHSolid::add_multiples<2>(to[first], from[first], factors);
-        continue;
-      }
-      for (int i = first; i < std::min(first + LANES, end); i++) {
-        if (!(mask[i] & groupbit)) continue;
-        const double factor_i = factor(rmass[i]);
-        for (int k = 0; k < dimension; k++) to[i][k] += factor_i * from[i][k];
-      }
+  for (; first < end; first += LANES) {
+    int of_all = groupbit;
+    for (int i = first; i < std::min(first + LANES, end); i++) of_all &= mask[i];
+    if (of_all && first + LANES <= end) {
+      const SPHSolid::Pack factors = factor(SPHSolid::load(rmass + first));
+      if (dimension == 3)
+        SPHSolid::add_multiples<3>(to[first], from[first], factors);
+      else
+        SPHSolid::add_multiples<2>(to[first], from[first], factors);
+      continue;
     }
-  });
+    for (int i = first; i < std::min(first + LANES, end); i++) {
+      if (!(mask[i] & groupbit)) continue;
+      const double factor_i = factor(rmass[i]);
+      for (int k = 0; k < dimension; k++) to[i][k] += factor_i * from[i][k];
+    }
+  }
 }
 
 void FixSPHSolid::add_heat()
 {
-  if (atom->nmax > nmax) {
-    nmax = atom->nmax;
-    memory->destroy(heat);
-    memory->create(heat, nmax, "sph/solid:heat");
-  }
+  heat.resize(atom->nlocal);
   const double dt1 = dt_pending, dt2 = update->dt;
-  pair->pair_heat(0.5 * (dt1 + dt2), 0.125 * (dt2 * dt2 - dt1 * dt1), heat, true);
-  take_up(heat);
+  pair->pair_heat(0.5 * (dt1 + dt2), 0.125 * (dt2 * dt2 - dt1 * dt1), heat.data(), true);
+  take_up(heat.data());
 }
 
 // energies of own particles become energies per mass
@@ -357,6 +362,7 @@ void FixSPHSolid::pending_heat(double *out) const
   std::memset(out, 0, atom->nlocal * sizeof(double));
   if (dt_pending == 0.0 || !pair->has_energy()) return;
   pair->require_current("The internal energy of sph/solid");
+  pair->keep_half_step();
   pair->pair_heat(0.5 * dt_pending, -0.125 * dt_pending * dt_pending, out, false);
 }
 
@@ -369,6 +375,7 @@ void FixSPHSolid::write_restart(FILE *fp)
   double list[6] = {dt_pending, 0.0, 0.0, 0.0, 0.0, 0.0};
   const std::uint64_t mark = pair ? state_fingerprint() : 0;
   std::memcpy(&list[1], &mark, sizeof(mark));
+  if (pair && dt_pending > 0.0) pair->keep_half_step();
   if (pair && leading) {
     const SPHSolid::Ledger &l = pair->ledger();
     double mine[4] = {l.plastic_work, l.viscous_heat, l.returned, l.hourglass};

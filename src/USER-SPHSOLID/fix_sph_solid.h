@@ -58,10 +58,9 @@ class FixSPHSolid : public Fix {
  private:
   class PairSPHSolid *pair;
   bool leading;
-  bool heat_on_the_way;    // the heat of a step is left to the next force evaluation
-  double dt_pending;       // time step of the half kick that is not heated yet
-  double *heat;            // of own atoms, scratch
-  int nmax;
+  bool heat_on_the_way;        // the heat of a step is left to the next force evaluation
+  double dt_pending;           // time step of the half kick that is not heated yet
+  std::vector<double> heat;    // of own atoms, scratch
 
   // between runs: the heat of that half kick, and of which particles, with the energy they had then
   struct Owner {
@@ -83,8 +82,9 @@ class FixSPHSolid : public Fix {
   void add_heat();
   void take_up(const double *);
   void settle();
-  void kick(double);
-  template <class Factor> void add_to_moved(double **to, double *const *from, Factor);
+  void kick(int first, int end, double dtf);
+  template <class Factor>
+  void add_to_moved(int first, int end, double **to, double *const *from, Factor);
 };
 
 }    // namespace LAMMPS_NS

@@ -119,7 +119,7 @@ void FixSPHSolidDt::end_of_step()
   update->dt = dt;
   update->dt_default = 0;
   if (force->pair) force->pair->reset_dt();
-  for (const auto &fix : modify->get_fix_list()) fix->reset_dt();
+  for (int k = 0; k < modify->nfix; k++) modify->fix[k]->reset_dt();
   output->reset_dt();
 }
 

@@ -156,10 +156,10 @@ void FixSPHSolidWall::post_force(int)
 
 void FixSPHSolidWall::constrain(Phase phase)
 {
-  double **vhalf = AtomVecSPHSolid::arrays(atom)->vhalf;
   const auto *mover = FixSPHSolid::leader(lmp);
   const double dt = (phase == CONTINUE && mover) ? mover->pending_step() : update->dt;
-  const Step step = {phase, dt, phase == START ? 0.5 : 1.0, phase == START ? atom->v : vhalf};
+  const double *vhalf = AtomVecSPHSolid::arrays(atom)->vhalf[dim];
+  const Step step = {phase, dt, phase == START ? 0.5 : 1.0, phase == CONTINUE ? vhalf : nullptr};
   reaction = reaction_v = reaction_a = 0.0;
   reactions.clear();
   dt_used = dt;
@@ -184,7 +184,8 @@ bool FixSPHSolidWall::all_pass(const Step &step, int first) const
     load_components<SPACE>(of[first], components);
     return components[dim];
   };
-  const Pack y = normal * (along(atom->x) - plane), vn = normal * along(step.v);
+  const Pack y = normal * (along(atom->x) - plane),
+             vn = normal * (step.vhalf ? load(step.vhalf + first) : along(atom->v));
   const Pack next = step.distance(load(atom->rmass + first), y, vn, normal * along(atom->f));
   const Pack apart = maximum(y, -y) - held;
   return all_positive(next) && all_positive(apart);
@@ -195,7 +196,8 @@ void FixSPHSolidWall::constrain(const Step &step, int i)
   double **f = atom->f;
   const double dt = step.dt, share = step.share, mass = atom->rmass[i];
   const double y = normal * (atom->x[i][dim] - plane);
-  const double vn = normal * step.v[i][dim], fn = normal * f[i][dim];
+  const double vn = normal * (step.vhalf ? step.vhalf[i] : atom->v[i][dim]),
+               fn = normal * f[i][dim];
   const bool away = step.distance(mass, y, vn, fn) >= 0.0;
   if (away && std::fabs(y) >= held) return;
   if (!(atom->mask[i] & groupbit) || !pair->moves(i) || !pair->has_material(i)) return;

@@ -71,7 +71,7 @@ class FixSPHSolidWall : public Fix {
   struct Step {
     Phase phase;
     double dt, share;
-    const double *const *v;
+    const double *vhalf;    // stored velocities along the normal; null: those of atom->v
     // from the plane after the step, times mass, of one particle or a vector of them
     template <class Real> Real distance(Real mass, Real y, Real vn, Real fn) const
     {

@@ -79,11 +79,11 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
   options = new Options;
   kept = new Ledger;
   message = Message::STRESS;
-  message_of_sweeps = true;
   displacement_time = courant_number = 0.0;
   resonance_wanted = false;
   resonance_of = 0;
   resume = resumed = warned_lost = warned_overload = logged = false;
+  message_of_sweeps = half_step_kept = true;
   integrated = list_threads = 0;
   evaluated_own = evaluated_all = -1;
 }
@@ -281,18 +281,40 @@ void PairSPHSolid::pack_kinematics(bool setup)
   const Particles p = particles();
   resumed = setup && resume;
   resume = false;
-  if (resumed) {
-    message_of_sweeps = false;
-    comm->forward_comm(this, 3);
-    message_of_sweeps = true;
-  } else {
-    if (!partners) std::copy(p.rho, p.rho + p.nall, p.rho_weight);
-    double **vhalf = own->vhalf;
-    each_share(comm->nthreads, p.nlocal, [&](int first, int end) {
-      if (first < end) std::copy(p.v[first], p.v[first] + 3 * (end - first), vhalf[first]);
-    });
+  half_step_kept = resumed;
+  if (!resumed) {
+    if (!partners)
+      each_share(comm->nthreads, p.nall, [&](int first, int end) {
+        std::copy(p.rho + first, p.rho + end, p.rho_weight + first);
+      });
+    return sweeps->pack_kinematics(p, p.v);
   }
-  sweeps->pack_kinematics(p, resumed ? own->vhalf : p.v);
+  message_of_sweeps = false;
+  comm->forward_comm(this, 3);
+  message_of_sweeps = true;
+  swap_half_step();
+  sweeps->pack_kinematics(p, p.v);
+  swap_half_step();
+}
+
+// with those of all particles
+
+void PairSPHSolid::swap_half_step()
+{
+  const Particles p = particles();
+  for (int i = 0; i < p.nall; i++)
+    for (int k = 0; k < 3; k++) std::swap(p.v[i][k], own->vhalf[k][i]);
+}
+
+void PairSPHSolid::keep_half_step()
+{
+  if (half_step_kept) return;
+  half_step_kept = true;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double v[3] = {};
+    sweeps->velocity(i, v);
+    for (int k = 0; k < 3; k++) own->vhalf[k][i] = v[k];
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -414,12 +436,11 @@ void PairSPHSolid::forward(Message what)
 int PairSPHSolid::pack_forward_comm(int n, int *atoms, double *buf, int across, int *pbc)
 {
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
-  double **vhalf = own->vhalf;
   for (int k = 0; k < n; k++)
     if (message_of_sweeps)
       sweeps->pack(message, atoms[k], &buf[k * size]);
     else
-      std::copy(vhalf[atoms[k]], vhalf[atoms[k]] + size, &buf[k * size]);
+      for (int a = 0; a < 3; a++) buf[k * size + a] = own->vhalf[a][atoms[k]];
   const bool velocities = !message_of_sweeps || message == Message::DISPLACEMENT;
   if (velocities && across && domain->deform_vremap) add_box_velocity(n, size, atoms, buf, pbc);
   return n * size;
@@ -443,10 +464,9 @@ void PairSPHSolid::unpack_forward_comm(int n, int first, double *buf)
 {
   const Particles p = particles();
   const int size = message_of_sweeps ? sweeps->message_size(message) : 3;
-  double **vhalf = own->vhalf;
   for (int k = 0; k < n; k++)
     if (message_of_sweeps)
       sweeps->unpack(message, p, first + k, &buf[k * size]);
     else
-      std::copy(&buf[k * size], &buf[k * size] + size, vhalf[first + k]);
+      for (int a = 0; a < 3; a++) own->vhalf[a][first + k] = buf[k * size + a];
 }

@@ -80,6 +80,10 @@ class PairSPHSolid : public Pair {
   // the last evaluation was a setup that continued a run
   bool has_resumed() const { return resumed; }
 
+  // store the velocities of the last evaluation, for a setup that continues: at the end of a run,
+  // for a restart file, and before pair_heat() takes their place
+  void keep_half_step();
+
   bool has_energy() const;                    // is there an energy equation?
   void require_energy(const char *) const;    // stop if not; for whom, for the message
   bool moves(int) const;                      // does a fix sph/solid move own atom i?
@@ -120,6 +124,7 @@ class PairSPHSolid : public Pair {
   double displacement_time;     // displacements of a message over velocities
   bool resume;                  // the next setup continues where the last run ended
   bool resumed;                 // the last evaluation was such a setup
+  bool half_step_kept;          // its velocities are stored, if there was one
   int integrated;               // group bits of all fix sph/solid
   bool warned_lost;             // warn once per run
   bool warned_overload;
@@ -149,6 +154,7 @@ class PairSPHSolid : public Pair {
   void sort_rows();
   static void give_back_freed_memory();
   void pack_kinematics(bool);
+  void swap_half_step();
   void stop_unphysical(int);
   void warn_lost_neighbors();
   void report_overload();

@@ -18,6 +18,8 @@
 #include "sph_solid_points.h"
 #include "sph_solid_rows.h"
 
+#include <utility>
+
 using namespace SPHSolid;
 
 // of one source file, sph_solid_sweeps_eulerian.cpp, as the compiler should know
@@ -26,6 +28,29 @@ namespace {
 
 // a sweep asks for the data of pairs so many pairs ahead
 constexpr int PAIRS_AHEAD = 64;
+
+// call(k, left) for the pairs of a row from k on, a vector at a time, of which so many are left:
+// a constant where the vector is whole.  Behind a row lie pairs of another one, or anything
+
+using Whole = std::integral_constant<int, LANES>;
+
+template <class Call> inline void each_vector(int n, Call call)
+{
+  int k = 0;
+  for (; k + LANES <= n; k += LANES) call(k, Whole());
+  if (k < n) call(k, n - k);
+}
+
+// numbers of pairs, 0 behind the row
+
+inline Pack of_row(Pack numbers, Whole)
+{
+  return numbers;
+}
+inline Pack of_row(Pack numbers, int left)
+{
+  return where_positive(first_lanes(left), numbers, Pack(0.0));
+}
 
 // call with flags as constants
 
@@ -55,7 +80,9 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
       PointSweeps<D>(o, t),
       ntensors((o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0)),
       stress_stride(extra(ntensors)), uniform(are_alike(t)),
-      stride(uniform ? Kin::SHORT : Kin::STRIDE), common_h(Base::largest(t, &TypeData::h)),
+      stride(uniform ? Kin::SHORT : Kin::STRIDE), da_in_rows(D == 2 && uniform),
+      da_stride(uniform ? da_stride_of<true>() : da_stride_of<false>()),
+      common_h(Base::largest(t, &TypeData::h)),
       common_near(o.hbar * Base::largest(t, &TypeData::spacing))
   {
   }
@@ -74,6 +101,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
+  void velocity(int i, double *v) const override { std::copy_n(kin(i) + Kin::V, D, v); }
   int neighbor_count(int i) const override { return pairs.count[i]; }
   double memory_usage() const override;
 
@@ -88,13 +116,16 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   using Str = Stress<D>;
   static constexpr int VECTOR = Blocks<D>::VECTOR;
 
-  const int ntensors, stress_stride;     // tensors that follow the fixed part of a stress row
-  const bool uniform;                    // is there one smoothing length, and one spacing?
-  const int stride;                      // of kinematic rows
+  const int ntensors, stress_stride;    // tensors that follow the fixed part of a stress row
+  const bool uniform;                   // is there one smoothing length, and one spacing?
+  const int stride;                     // of kinematic rows
+  const bool da_in_rows;                // two dimensions: in place of lengths that all have
+  const int da_stride;
   const double common_h, common_near;    // if so: what rows of others have as H and NEAR
   int nown = 0, nrows = 0;               // own; own and ghost with images
 
-  Rows krow, srow, da;           // rows of kinematics, stress, da
+  // rows of kinematics, stress, and da where kinematic rows have no room for it
+  Rows krow, srow, da_rows;
   std::vector<double> mu_max;    // largest approach rate of own particles, for a time step limit
   Pairs pairs;
   Room<double> near_weight;    // of pairs of nearest neighbors, for the correction
@@ -116,6 +147,10 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   {
     return UNIFORM ? Kin::SHORT : Kin::STRIDE;
   }
+  template <bool UNIFORM> static constexpr int da_stride_of()
+  {
+    return D == 2 && UNIFORM ? Kin::SHORT : VECTOR;
+  }
   double *kin(int i) { return &krow[static_cast<std::size_t>(i) * stride]; }
   const double *kin(int i) const { return &krow[static_cast<std::size_t>(i) * stride]; }
   // of a kinematic row
@@ -126,6 +161,12 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   template <bool UNIFORM> double near_of(const double *row) const
   {
     return UNIFORM ? common_near : row[Kin::NEAR];
+  }
+  double *da(int i) { return const_cast<double *>(std::as_const(*this).da(i)); }
+  const double *da(int i) const
+  {
+    const double *first = da_in_rows ? &krow[Kin::LENGTHS + Kin::H_LANE] : da_rows.data();
+    return first + static_cast<std::size_t>(i) * da_stride;
   }
   double *str(int i) { return &srow[i * stress_stride]; }
   const double *str(int i) const { return &srow[i * stress_stride]; }
@@ -177,11 +218,11 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   // time; behind the last one weights are 0
   template <class F> void each_few(int i, F call) const
   {
-    const Pack own = load_few<D>(&da[i * VECTOR]);
+    const Pack own = load_few<D>(da(i));
     const int *j = pairs.j.data() + pairs.first[i];
     const double *weights = near_weight.data() + pairs.near_first[i];
     for (int k = 0; k < pairs.nearest[i]; k += Few<D>::N)
-      call(load_few_weights<D>(weights + k), j + k, own - load_few<D>(da.data(), j + k, VECTOR));
+      call(load_few_weights<D>(weights + k), j + k, own - load_few<D>(da(0), j + k, da_stride));
   }
   Pack central_correction(int i);
 

@@ -73,20 +73,21 @@ template <bool PULL, bool TENSILE, bool CORRECT, bool UNIFORM>
 typename EulerianSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
 {
   constexpr int R_AT = extra(0);
-  const double *kall = krow.data(), *si = str(i);
+  const double *kall = krow.data(), *si = str(i), *all_da = CORRECT ? da(0) : nullptr;
   const Motion<D> own(kin(i));
-  const Pack own_da = Motion<D>::load_vector(Addresses(CORRECT ? &da[i * VECTOR] : kin(i)));
+  const Pack own_da = Motion<D>::load_vector(Addresses(CORRECT ? da(i) : kin(i)));
   Several<D> gradient = Several<D>::zero(), crowded = gradient;
   Pack viscous(0.0), corrected(0.0);
   const int first = pairs.first[i], count = pairs.count[i],
             nearest = CORRECT ? pairs.nearest[i] : 0;
   const double *weights = near_weight.data() + pairs.near_first[i];
-  auto add = [&](int k, auto near) {
+  auto add = [&](auto near, int k, auto left) {
     const int *j = &pairs.j[first + k];
     const Pack none(0.0);
-    const Spread factor(load(&pairs.factor[first + k])),
-        tensile(TENSILE ? load(&crowd[first + k]) : none),
-        pulled(PULL ? load(&pull[first + k]) : none), weight(near() ? load(weights + k) : none);
+    const Spread factor(of_row(load(&pairs.factor[first + k]), left)),
+        tensile(TENSILE ? of_row(load(&crowd[first + k]), left) : none),
+        pulled(PULL ? of_row(load(&pull[first + k]), left) : none),
+        weight(near() && k < nearest ? load(weights + k) : none);
     for (int m = 0; m < BLOCK; m++) {
       const Addresses kj(kall, j + m, stride_of<UNIFORM>());
       const Motion<D> d = own - Motion<D>(kj);
@@ -96,14 +97,17 @@ typename EulerianSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
       if (TENSILE) add_outer(crowded, v * tensile[m], X);
       if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
       if (near()) {
-        const Pack da_j = Motion<D>::load_vector(Addresses(da.data(), j + m, VECTOR));
+        const Pack da_j = Motion<D>::load_vector(Addresses(all_da, j + m, da_stride_of<UNIFORM>()));
         corrected = multiply_add(weight[m], d.products(own_da - da_j), corrected);
       }
     }
   };
+  const std::bool_constant<CORRECT> near;
+  const std::false_type far;
   int k = 0;
-  for (; k < nearest; k += LANES) add(k, std::bool_constant<CORRECT>());
-  for (; k < count; k += LANES) add(k, std::false_type());
+  for (; k < nearest && k + LANES <= count; k += LANES) add(near, k, Whole());
+  for (; k + LANES <= count; k += LANES) add(far, k, Whole());
+  if (k < count) add(near, k, count - k);
   double stress = contract(gradient, load_tensor<D>(si));
   if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
   const double mass = kin(i)[Kin::MASS];
@@ -117,7 +121,7 @@ template <int D> double EulerianSweeps<D>::standard_power(int i, const double *u
 {
   if (opt.heating != Heating::COMPATIBLE) return 0.0;
   double power = 0.0;
-  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da[i * VECTOR + a] * u[a];
+  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da(i)[a] * u[a];
   return power;
 }
 
@@ -158,7 +162,7 @@ template <int D> double EulerianSweeps<D>::heat_correction(int i) const
   each_few(i, [&](Pack w, const int *j, Pack difference) {
     const Pack uj = load_few<D>(u(0), j, stride);
     if (printed)
-      power += w * 0.5 * (ui - uj) * load_few<D>(da.data(), j, VECTOR);
+      power += w * 0.5 * (ui - uj) * load_few<D>(da(0), j, da_stride);
     else
       power -= w * 0.5 * ui * difference;
   });
@@ -221,8 +225,7 @@ inline Pack EulerianSweeps<D>::near_force(int i, int j, int near, const Motion<D
 {
   const double half = 0.5 * kin(i)[Kin::MASS];
   if (safe()) return Pack(half * near_pull[near]) * d.expanded_x();
-  const Pack difference =
-      load_expanded<D>(Addresses(&da[i * VECTOR])) - load_expanded<D>(Addresses(&da[j * VECTOR]));
+  const Pack difference = load_expanded<D>(Addresses(da(i))) - load_expanded<D>(Addresses(da(j)));
   return Pack(half * near_weight[near]) * difference;
 }
 

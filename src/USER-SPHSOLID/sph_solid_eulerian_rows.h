@@ -29,7 +29,7 @@ template <int D> void EulerianSweeps<D>::size_rows(const Particles &p)
   nrows = p.nall + (images.any() ? images.count() : 0);
   krow.resize(static_cast<std::size_t>(nrows) * stride);
   srow.resize(static_cast<std::size_t>(nrows) * stress_stride);
-  if (needs_correction()) da.resize(static_cast<std::size_t>(nrows) * VECTOR);
+  if (needs_correction() && !da_in_rows) da_rows.resize(static_cast<std::size_t>(nrows) * VECTOR);
   if (this->limits_step) mu_max.assign(p.nlocal, 0.0);
   for (std::vector<int> *of : {&pairs.first, &pairs.count, &pairs.near_first, &pairs.nearest})
     of->assign(p.nlocal, 0);
@@ -147,7 +147,7 @@ template <int D> double *EulerianSweeps<D>::place_of(Message what, int i)
 {
   if (what == Message::STRESS) return str(i);
   if (what == Message::SWITCH) return str(i) + Str::SWITCH;
-  return what == Message::VISCOUS ? &da[i * VECTOR] : kin(i) + Kin::V;
+  return what == Message::VISCOUS ? da(i) : kin(i) + Kin::V;
 }
 
 template <int D> void EulerianSweeps<D>::pack(Message what, int i, double *out) const
@@ -218,12 +218,12 @@ double EulerianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows
 template <int D> double EulerianSweeps<D>::memory_usage() const
 {
   std::size_t all = 0, near = 0;    // pairs: what is in use of the room for candidates
-  for (const int n : pairs.count) all += whole_vectors(n);
+  for (const int n : pairs.count) all += n;
   for (const int n : pairs.nearest) near += whole_vectors(n);
   auto used = [](const Room<double> &of, std::size_t n) {
     return of.empty() ? 0 : n;
   };
-  const std::size_t doubles = krow.capacity() + srow.capacity() + da.capacity() +
+  const std::size_t doubles = krow.capacity() + srow.capacity() + da_rows.capacity() +
       mu_max.capacity() + used(pull, all) + used(crowd, all) + used(near_weight, near) +
       used(near_pull, near);
   const std::size_t ints = 2 * all + 4 * pairs.first.capacity() + pairs.begin.capacity() +

@@ -21,8 +21,8 @@ template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const N
       const Several<D> rate = load_tensor<D>(str(i) + R_AT);
       const double h = types[p.type[i]].h, least = MU_EPSILON * h * h;    // particles may meet
       Pack rest2 = 0.0, linear2 = 0.0;
-      for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k += LANES) {
-        const int *j = &pairs.j[k];
+      each_vector(pairs.count[i], [&](int k, auto left) {
+        const int *j = &pairs.j[pairs.first[i] + k];
         Motion<D> d[BLOCK];
         Pack l_i[BLOCK], l_j[BLOCK];
         for (int m = 0; m < BLOCK; m++) {
@@ -32,9 +32,10 @@ template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const N
           l_i[m] = d[m].expanded_x() * times(rate, X);
           l_j[m] = d[m].expanded_x() * times(load_tensor<D>(sj + R_AT), X);
         }
-        const Pack weight = pack_of([&](int m) {
-          return -kin(j[m])[Kin::VOLUME] * pairs.factor[k + m];
+        const Pack volume = pack_of([&](int m) {
+          return kin(j[m])[Kin::VOLUME];
         });
+        const Pack weight = -of_row(volume * load(&pairs.factor[pairs.first[i] + k]), left);
         const Components<D> apart = Motion<D>::components(d);
         const Pack r2 = apart.x_dot_x(), vr = apart.v_dot_x();
         const Pack li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
@@ -42,7 +43,7 @@ template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const N
         const Pack rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
         rest2 += w * rest * rest;
         linear2 += 0.5 * w * (li * li + lj * lj);
-      }
+      });
       str(i)[Str::SWITCH] *= unresolved_share(sum(rest2), sum(linear2));
     }
   });
@@ -60,7 +61,7 @@ template <int D> void EulerianSweeps<D>::mirror_switch()
 
 template <int D> void EulerianSweeps<D>::correction(const Particles &p, const NeighborRows &list)
 {
-  mirror_vectors(da.data(), VECTOR);
+  mirror_vectors(da(0), da_stride);
   each_share(nthreads, list.inum, [&](int first, int end) {
     for (int ii = first; ii < end; ii++) {
       const int i = list.ilist[ii];
@@ -84,7 +85,7 @@ template <int D> Pack EulerianSweeps<D>::central_correction(int i)
   double sum[LANES] = {};
   for (int n = 0; n < pairs.nearest[i]; n++) {
     const int j = pairs.j[pairs.first[i] + n], k = pairs.near_first[i] + n;
-    const double *dai = &da[i * VECTOR], *daj = &da[j * VECTOR];
+    const double *dai = da(i), *daj = da(j);
     const Vector<D> x = separation(i, j);
     double ax = 0.0, vx = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {

@@ -74,6 +74,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void elastic_stress(const Particles &) override;
   void elastic_force(const Particles &p) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
+  void velocity(int i, double *v) const override;
   int neighbor_count(int i) const override;
   Overload find_overload(const Particles &) const override;
   double memory_usage() const override;

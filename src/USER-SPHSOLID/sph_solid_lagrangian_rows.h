@@ -65,6 +65,12 @@ template <int D> void LagrangianSweeps<D>::mirror_vectors(int component)
   }
 }
 
+template <int D> void LagrangianSweeps<D>::velocity(int i, double *v) const
+{
+  const int column = column_of[i];
+  for (int a = 0; column >= 0 && a < D; a++) v[a] = columns.get(column, V + a);
+}
+
 // columns from[0], from[1], ... side by side
 
 template <int D>

@@ -42,7 +42,7 @@ template <int D> struct Kinematics {
   static constexpr int H = LENGTHS + H_LANE;          // smoothing length
   static constexpr int NEAR = H + 1;                  // support of the nearest-neighbor kernel Wbar
   static constexpr int STRIDE = LENGTHS + BLOCK;
-  static constexpr int SHORT = 8;    // of rows without lengths
+  static constexpr int SHORT = 8;    // of rows without lengths; in 2D da of eq. 28 lies there
 };
 
 // stress row, filled by the constitutive update and sent to ghosts.
@@ -61,11 +61,11 @@ template <int D> struct Stress {
 };
 
 // one pair list: row i holds count[i] pairs from first[i] on, of which the
-// first nearest[i] are nearest neighbors; after them up to a whole number of
-// vectors the last pair again, with factor 0.  grad_i W_ij = F_ij (x_i - x_j).
-// Rows follow each other without holes, in room for all candidates from which pairs are found in
-// every step: a batch of particles begins at begin[batch] or before.  What only nearest neighbors
-// have lies in arrays of its own, from near_first[i] on
+// first nearest[i] are nearest neighbors.  grad_i W_ij = F_ij (x_i - x_j).
+// Rows follow each other without holes, so that the last vector of one has pairs of the next, too,
+// in room for all candidates from which pairs are found in every step: a batch of particles begins
+// at begin[batch] or before.  What only nearest neighbors have lies in arrays of its own, from
+// near_first[i] on, in whole vectors, 0 behind the last
 
 struct Pairs {
   std::vector<int> first, count, near_first, nearest;

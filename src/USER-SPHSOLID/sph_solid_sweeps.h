@@ -179,6 +179,9 @@ class Sweeps {
   // minus the pair forces' virial, sum of r_ij f_ij over pairs, 6 numbers
   virtual void virial(const Particles &, const NeighborRows &, double *six) = 0;
 
+  // of an own particle, what pack_kinematics() was given for it (until unpack() sets displacements)
+  virtual void velocity(int i, double *v) const = 0;
+
   // per particle, own: for the time step and for output
   virtual double time_step_limit(const Particles &, const NeighborRows &) const = 0;
   virtual int neighbor_count(int i) const = 0;

@@ -60,10 +60,10 @@ template <int D> struct EulerianSweeps<D>::Scratch {
       length(uniform ? 0 : room), far_j(room), far_r2(room), far_h(uniform ? 0 : room)
   {
   }
-  void begin(int *row)
+  void begin(int *j)
   {
     const int at = first - first_of_batch;
-    near = {row, distance.data() + at, length.data() + at, 0};
+    near = {j + first, distance.data() + at, length.data() + at, 0};
     far = {far_j.data(), far_r2.data(), far_h.data(), 0};
   }
 
@@ -123,22 +123,18 @@ template <int D>
 template <bool UNIFORM>
 void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
 {
-  int *row = pairs.j.data() + s.first;
   const int of_images = images_of(i);
-  s.begin(row);
+  s.begin(pairs.j.data());
   gather<UNIFORM, false>(i, list.numneigh[i], list.firstneigh[i], s);
   if (of_images > 0) gather<UNIFORM, true>(i, of_images, &image_j[image_first[i]], s);
 
   const int nearest = s.near.n;
   s.near.add(s.far, UNIFORM);
-  const int n = s.near.n;
-  const double h = h_of<UNIFORM>(kin(i)), outside = 16.0 * h * h;    // without weight
-  while (n > 0 && s.near.n < whole_vectors(n)) s.near.add(row[n - 1], outside, h, UNIFORM);
   pairs.first[i] = s.first;
   pairs.near_first[i] = needs_correction() ? s.near_first : 0;
-  pairs.count[i] = n;
+  pairs.count[i] = s.near.n;
   pairs.nearest[i] = needs_correction() ? nearest : 0;
-  s.first += whole_vectors(n);
+  s.first += s.near.n;
   s.near_first += whole_vectors(pairs.nearest[i]);
 }
 
@@ -168,6 +164,7 @@ void EulerianSweeps<D>::accumulate(int i, const Scratch &s, Sums &sums, int lane
   const double *kall = krow.data(), *ki = kin(i);
   const Motion<D> own(ki);
   const int start = pairs.first[i], count = pairs.count[i], nearest = pairs.nearest[i];
+  const int *neighbors = pairs.j.data() + start;
   const float *factors = pairs.factor.data() + start;
   const double *distance = s.distance.data() + (start - s.first_of_batch);
   double *weights = near_weight.data() + pairs.near_first[i];
@@ -176,7 +173,7 @@ void EulerianSweeps<D>::accumulate(int i, const Scratch &s, Sums &sums, int lane
   Pack nsum = 0.0;
 
   for (int k = 0; k < count; k += LANES) {
-    const int *j = &pairs.j[start + k];
+    const int *j = neighbors + k;
     Motion<D> d[BLOCK];
     Pack inertia[BLOCK];
     for (int m = 0; m < BLOCK; m++) {
@@ -188,7 +185,8 @@ void EulerianSweeps<D>::accumulate(int i, const Scratch &s, Sums &sums, int lane
     const Components<D> apart = Motion<D>::components(d);
     const Pack near = UNIFORM ? own_near : inertia[Kin::H_LANE + 1];
     const Pack mass = D == 2 ? inertia[0] : -apart.free[1];
-    const Pack w = (D == 2 ? -inertia[1] : apart.free[0]) * load(factors + k);
+    const Pack F = load(factors + k) * first_lanes(count - k);
+    const Pack w = (D == 2 ? -inertia[1] : apart.free[0]) * F;
     Pack g[D];
     for (int a = 0; a < D; a++) g[a] = w * apart.x[a];
     moment.add_symmetric(apart.x, g);
@@ -215,6 +213,9 @@ void EulerianSweeps<D>::find_sums(const Batch &batch, const NeighborRows &list, 
   s.first_of_batch = s.first;
   for (int m = 0; m < batch.n; m++) find_pairs<UNIFORM>(batch.i[m], list, s);
   find_factors<UNIFORM>(s);
+  // what the last vector of the last row reads behind it
+  std::fill_n(&pairs.j[s.first], LANES, batch.i[0]);
+  std::fill_n(&pairs.factor[s.first], LANES, 0.0f);
   for (int m = 0; m < LANES; m++) accumulate<UNIFORM>(batch.i[m], s, sums, m);
 }
 
@@ -343,10 +344,12 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
   constexpr int R_AT = extra(0), L_AT = extra(TENSILE ? 1 : 0),    // R, velocity gradient
       STRIDE = extra((TENSILE ? 1 : 0) + (RATES ? 1 : 0));         // of a stress row
   const double *kall = krow.data(), *sall = srow.data();
-  const float *factors = pairs.factor.data();
-  const double *ki = kin(i), *si = sall + std::ptrdiff_t(i) * STRIDE;
-  double *pulls = pull.data(), *weights = near_weight.data() + pairs.near_first[i];
   const int first = pairs.first[i], nearest = pairs.nearest[i];
+  const int *neighbors = pairs.j.data() + first;
+  const float *factors = pairs.factor.data() + first;
+  const double *ki = kin(i), *si = sall + std::ptrdiff_t(i) * STRIDE;
+  double *pulls = pull.data() + first, *crowds = crowd.data() + first,
+         *weights = near_weight.data() + pairs.near_first[i];
   const double a1 = opt.a1, a2 = opt.a2;
   const Motion<D> own(ki);
   const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + R_AT : si),
@@ -358,12 +361,12 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
   Pack stress = zero, viscous[D], mu_least = zero;    // sums over pairs
   for (int a = 0; a < D; a++) viscous[a] = zero;
 
-  for (int k = first; k < first + pairs.count[i]; k += LANES) {
-    const int *j = &pairs.j[k];
+  each_vector(pairs.count[i], [&](int k, auto left) {
+    const int *j = neighbors + k;
     Motion<D> d[BLOCK];
     Pack state[BLOCK], inertia[BLOCK], tensile[BLOCK], l_i[BLOCK], l_j[BLOCK];
     prefetch(factors + k + PAIRS_AHEAD, LANES);
-    const Pack F = load(factors + k);
+    const Pack F = of_row(load(factors + k), left);
     const Spread factor(F);
     for (int m = 0; m < BLOCK; m++) {
       const Addresses kj(kall, j + m, stride_of<UNIFORM>()), sj(sall, j + m, STRIDE);
@@ -380,7 +383,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
         l_j[m] = x * times(load_tensor<D>(sj + L_AT), X);
       }
     }
-    if (!VISCOUS && !TENSILE) continue;
+    if (!VISCOUS && !TENSILE) return;
 
     const Components<D> apart = Motion<D>::components(d);
     const Pack r2 = apart.x_dot_x();
@@ -392,7 +395,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       const Pack near = UNIFORM ? own_near : inertia[Kin::H_LANE + 1];
       const Pack spacing = (0.5 / opt.hbar) * (own_near + near);
       const Pack fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
-      store(&crowd[k], fn);
+      store_first(crowds + k, fn, left);
       const Spread each(fn);
       for (int m = 0; m < BLOCK; m++) stress = multiply_add(each[m], tensile[m], stress);
     }
@@ -407,19 +410,19 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
       const Pack mass = opt.corrected ? state[0] * state[1] : state[0];    // K is V or m
       Pack q = mass * monaghan_pi(a1, a2, c, rho, mu) * F;
       if (FORM == PairForm::SWITCHED) q *= on;
-      if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
+      if (keep) store_first(pulls + k, q, left);    // m_j Pi_ij F_ij h0^(D+2)
       if (correct) {
         q = where_positive(state[3], ok_i * q, zero);
-        if (k < first + nearest) {    // of the correction: m_j Wbar_ij becomes a weight
-          double *weight = weights + (k - first);
+        if (k < nearest) {    // of the correction: m_j Wbar_ij becomes a weight
+          double *weight = weights + k;
           const Pack n_i(si[Str::NSUM]), m_wbar = load(weight);
           store(weight, correction_weight(opt.weights, m_wbar, n_i, state[3]));
         }
       }
       apart.add_to(viscous, -q);
-      mu_least = minimum(mu_least, mu);
+      mu_least = minimum(mu_least, of_row(mu, left));
     }
-  }
+  });
 
   const double K = unit_factor * si[Str::K], mass = ki[Kin::MASS];
   stress = sum_of_blocks(stress);
@@ -427,7 +430,7 @@ void EulerianSweeps<D>::force_row(const Particles &p, int i)
   for (int a = 0; a < D; a++) {
     p.f[i][a] += K * folded<D>(stress, a);
     if (VISCOUS && correct)
-      da[i * VECTOR + a] = viscous_sum[a];
+      da(i)[a] = viscous_sum[a];
     else if (VISCOUS)
       p.f[i][a] += mass * viscous_sum[a];
   }

@@ -386,6 +386,18 @@ inline Pack first_lanes(int n)
   return load(STEP + LANES - (n < 0 ? 0 : n < LANES ? n : LANES));
 }
 
+// the first n lanes, if there are as many; what lies behind them stays as it is
+
+inline void store_first(double *to, Pack v, int n)
+{
+  if (n >= LANES) return store(to, v);
+#if defined(SPHSOLID_AVX512)
+  _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1 << n) - 1), v.native());
+#else
+  for (int m = 0; m < n; m++) to[m] = v[m];
+#endif
+}
+
 // where the blocks of a pack lie: block b has lanes 4 b to 4 b + 3
 
 struct Addresses {

@@ -46,6 +46,19 @@ TEST(Packs, CollectedLanesKeepTheirOrder)
   }
 }
 
+TEST(Packs, FirstLanesAreStoredAndNoOthers)
+{
+  for (int n = 1; n <= LANES + 1; n++) {
+    double to[LANES + 2];
+    for (double &number : to) number = -7.0;
+    store_first(to, pack_of([](int m) {
+                  return 0.5 + m;
+                }),
+                n);
+    for (int m = 0; m < LANES + 2; m++) EXPECT_EQ(to[m], m < n && m < LANES ? 0.5 + m : -7.0) << n;
+  }
+}
+
 TEST(Packs, ArePositiveIfAllLanesAre)
 {
   const unsigned all = (1u << LANES) - 1;
