@@ -295,8 +295,19 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   // NONE; what is due: of the last forces with these velocities; of displacements
   enum class Work { NONE, DUE, WHOLE };
   template <Work WORK> Sums accumulate(int block) const;
+  // what forces have kept of pairs for their work, null: nothing.  Where it lies is not read again
+  // for each slot, which a compiler would do for members
+  struct Kept {
+    const double *damping, *pulls;
+    Pack drift;
+  };
+  Kept kept() const
+  {
+    return {opt.hourglass > 0.0 ? damp.data() : nullptr, keeps_pairs() ? pull.data() : nullptr,
+            Pack(this->due.drift)};
+  }
   template <Work WORK>
-  void add_work(int slot, const double *i, const double *j, const Components<D> &,
+  void add_work(const Kept &, int slot, const double *i, const double *j, const Components<D> &,
                 PairWork &) const;
   template <Work WORK> Pack corrected_power(const double *i, const double *j, const Pack *v) const;
   // of a pair of nearest partners: what its force is along, and what it is times m_i/2
@@ -337,7 +348,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
     return all ? pull : whole_pull(i, j, pull);
   }
-  void correct_block(const Particles &, int block, const Batch &, Totals &);
+  template <bool HEATS> void correct_block(const Particles &, int block, const Batch &, Totals &);
   void find_weights();
   void safe_pulls(int block);
 

@@ -16,19 +16,19 @@ namespace {
 
 template <int D>
 template <typename LagrangianSweeps<D>::Work WORK>
-inline void LagrangianSweeps<D>::add_work(int s, const double *i, const double *j,
+inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double *i, const double *j,
                                           const Components<D> &d, PairWork &work) const
 {
   const std::size_t k = s * std::size_t(LANES);
   Pack along = 0.0;    // velocities along distances when the forces were found
   for (int a = 0; a < D; a++) {
-    const Pack x = WORK == Work::DUE ? d.x[a] - Pack(this->due.drift) * d.v[a] : d.x[a];
+    const Pack x = WORK == Work::DUE ? d.x[a] - kept.drift * d.v[a] : d.x[a];
     along = multiply_add(d.v[a], x, along);
   }
   const Pack weighted = along * component(j, WEIGHT);
-  if (opt.hourglass > 0.0) work.hourglass = multiply_add(load(&damp[k]), weighted, work.hourglass);
-  if (keeps_pairs())
-    work.viscous = multiply_add(heated_pull(i, j, load(&pull[k])), weighted, work.viscous);
+  if (kept.damping) work.hourglass = multiply_add(load(kept.damping + k), weighted, work.hourglass);
+  if (kept.pulls)
+    work.viscous = multiply_add(heated_pull(i, j, load(kept.pulls + k)), weighted, work.viscous);
 }
 
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;

@@ -48,7 +48,10 @@ template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const 
   if (!weights_known) find_weights();
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     if (safe()) safe_pulls(block);
-    correct_block(p, block, batch, t);
+    if (this->keeps_heat)
+      correct_block<true>(p, block, batch, t);
+    else
+      correct_block<false>(p, block, batch, t);
   });
   Totals::add(early_totals, totals);
 }
@@ -56,29 +59,38 @@ template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const 
 // forces and, with heat on the way, their work on the velocities they come from
 
 template <int D>
+template <bool HEATS>
 void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Batch &batch,
                                         Totals &totals)
 {
   const double *i = columns.at(block * LANES);
   const int first = slots.first[block], end = first + slots.nearest(block);
   const auto near = near_factors(block);
-  const bool heats = this->keeps_heat;
   const Pack mass = batch.load(p.mass);
-  Pack f[D], power = 0.0;
-  for (int a = 0; a < D; a++) f[a] = 0.0;
+  const std::ptrdiff_t at = at_along * std::ptrdiff_t(NEXT);
+  Pack own[D], v[D], f[D], power = 0.0;
+  for (int a = 0; a < D; a++) {
+    own[a] = component(i + at, a);
+    v[a] = component(i, V + a);
+    f[a] = 0.0;
+  }
   Neighbors neighbors(*this, block, T);
   for (int s = first; s < end; s++) {
     const double *j = neighbors(s);
     const Pack w = load(near.of(s - first));
-    for (int a = 0; a < D; a++) f[a] = multiply_add(w, corrected_along(i, j, a), f[a]);
-    if (!heats) continue;
-    Pack v[D];
-    difference(i, j, V, v);
-    power = multiply_add(w, corrected_power<Work::DUE>(i, j, v), power);
+    Pack along[D], of_pair = 0.0;
+    for (int a = 0; a < D; a++) {
+      along[a] = own[a] - component(j + at, a);
+      f[a] = multiply_add(w, along[a], f[a]);
+    }
+    if (!HEATS) continue;
+    for (int a = 0; a < D; a++)
+      of_pair = multiply_add(v[a] - component(j, V + a), along[a], of_pair);
+    power = multiply_add(w, of_pair, power);
   }
   for (int a = 0; a < D; a++) f[a] *= 0.5 * mass;
   add_forces(p, batch, f);
-  if (!heats) return;
+  if (!HEATS) return;
   const Pack heat = -0.25 * mass * power;
   store(&early[block * LANES], load(&early[block * LANES]) + heat);
   totals.viscous += Base::sum_of_first(heat, batch.n);

@@ -28,6 +28,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
   const auto near = near_factors(block);
   const auto constants = slots.constants.from(first);
   const int last = keeps_pairs() ? FIXED : T;    // of what is read of neighbors
+  const Kept kept_of_pairs = kept();
   TensorSums<D> displacement, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   Neighbors neighbors(*this, block, last);
@@ -45,7 +46,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
     displacement.add(u, g);
     velocity.add(d.v, g);
     if (WORK == Work::NONE) continue;
-    add_work<WORK>(s, i, j, d, work);
+    add_work<WORK>(kept_of_pairs, s, i, j, d, work);
     if (s < near_end)
       work.corrected =
           multiply_add(load(near.of(s - first)), corrected_power<WORK>(i, j, d.v), work.corrected);
@@ -271,19 +272,23 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   }
 
   const Pack V0 = batch.load(p.vref);
+  Pack force[D],
+      acceleration[D];    // not the sums, which would be kept in memory if one took their address
   for (int a = 0; a < D; a++) {
+    force[a] = stress[a];
     for (int b = 0; b < D; b++)
-      stress[a] = multiply_add(component(i, T + D * a + b), moment[b], stress[a]);
-    stress[a] += central[a];
-    if (VISCOUS && !correct) stress[a] += replaced[a];
-    stress[a] *= V0;
+      force[a] = multiply_add(component(i, T + D * a + b), moment[b], force[a]);
+    force[a] += central[a];
+    if (VISCOUS && !correct) force[a] += replaced[a];
+    force[a] *= V0;
   }
   if (VISCOUS && correct) {
     const Pack per_mass = V0 / batch.load(p.mass);
-    for (int a = 0; a < D; a++) columns.store(block * LANES, at_da + a, per_mass * replaced[a]);
+    for (int a = 0; a < D; a++) acceleration[a] = per_mass * replaced[a];
+    columns.store(block * LANES, at_da, acceleration, D);
   }
   columns.copy_to_rows(block * LANES, at_da, columns.components());
-  add_forces(p, batch, stress);
+  add_forces(p, batch, force);
   if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
   if (!this->keeps_heat) return;
   const Pack viscous_heat = 0.5 * V0 * viscous_power, hourglass_heat = -0.5 * V0 * hourglass_power;
