@@ -46,13 +46,17 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool 
 {
   const Particles p = particles();
   const int *mask = atom->mask;
-  each_share(comm->nthreads, p.nlocal, [&](int first, int end) {
-    for (int i = first; i < end; i++) {
-      const double *v = p.v[i], *f = p.f[i];
-      const double a = (mask[i] & integrated) ? a_scale / p.mass[i] : 0.0;
-      const double u[3] = {v_scale * v[0] + a * f[0], v_scale * v[1] + a * f[1],
-                           v_scale * v[2] + a * f[2]};
-      sweeps->unpack(Message::DISPLACEMENT, p, i, u);
+  constexpr int CHUNK = 64;
+  each_share(comm->nthreads, p.nlocal, [&](int begin, int end) {
+    double u[3 * CHUNK];
+    for (int first = begin; first < end; first += CHUNK) {
+      const int n = std::min(CHUNK, end - first);
+      for (int k = 0; k < n; k++) {
+        const double *v = p.v[first + k], *f = p.f[first + k];
+        const double a = (mask[first + k] & integrated) ? a_scale / p.mass[first + k] : 0.0;
+        for (int c = 0; c < 3; c++) u[3 * k + c] = v_scale * v[c] + a * f[c];
+      }
+      sweeps->displace(p, first, n, u);
     }
   });
   displacement_time = v_scale;

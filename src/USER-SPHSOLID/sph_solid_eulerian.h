@@ -93,6 +93,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   int message_size(Message) const override;
   void pack(Message, int, double *) const override;
   void unpack(Message, const Particles &, int, const double *) override;
+  void displace(const Particles &, int, int, const double *) override;
   void mirror_stress() override;
   void find_switch(const Particles &, const NeighborRows &) override;
   void mirror_switch() override;

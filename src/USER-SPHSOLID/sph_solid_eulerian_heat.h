@@ -18,10 +18,7 @@ template <int D>
 void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
 {
   mirror_vectors(&krow[Kin::V], stride);
-  // next to what else is read of a neighbor, where its volume lies until velocities are new
-  each_share(nthreads, nrows, [&](int first, int end) {
-    for (int row = first; row < end; row++) kin(row)[Kin::VOLUME] = str(row)[Str::K];
-  });
+  for (int row = nparticles; row < nrows; row++) kin(row)[Kin::VOLUME] = str(row)[Str::K];
   typename Base::Totals totals;
   with_flags(
       [&](auto pull, auto tensile, auto correct, auto same) {

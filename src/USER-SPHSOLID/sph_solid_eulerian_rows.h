@@ -159,8 +159,22 @@ template <int D> void EulerianSweeps<D>::pack(Message what, int i, double *out) 
 template <int D>
 void EulerianSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
 {
+  if (what == Message::DISPLACEMENT) return displace(p, i, 1, in);
   std::copy(in, in + message_size(what), place_of(what, i));
   if (what == Message::STRESS) p.rho[i] = in[Str::RHO];
+}
+
+// K of the stress row comes next to what else heat reads of a neighbor, where its volume lies until
+// velocities are new
+
+template <int D>
+void EulerianSweeps<D>::displace(const Particles &, int first, int n, const double *displacements)
+{
+  for (int k = 0; k < n; k++) {
+    double *row = kin(first + k);
+    for (int a = 0; a < D; a++) row[Kin::V + a] = displacements[3 * k + a];
+    row[Kin::VOLUME] = str(first + k)[Str::K];
+  }
 }
 
 // a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times

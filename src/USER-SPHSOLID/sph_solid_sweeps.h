@@ -150,6 +150,11 @@ class Sweeps {
   virtual int message_size(Message) const = 0;
   virtual void pack(Message, int i, double *out) const = 0;
   virtual void unpack(Message, const Particles &, int i, const double *in) = 0;
+  // displacements of n particles side by side, three numbers each
+  virtual void displace(const Particles &p, int first, int n, const double *u)
+  {
+    for (int k = 0; k < n; k++) unpack(Message::DISPLACEMENT, p, first + k, u + 3 * k);
+  }
   virtual void mirror_stress() = 0;    // to images
 
   // the switch of a viscosity that needs one more sweep for it
@@ -164,7 +169,7 @@ class Sweeps {
   virtual void correction(const Particles &, const NeighborRows &) = 0;
 
   // heat[i] = energy the pair forces give to particle i while every particle
-  // moves by its displacement, of own and ghosts set by unpack()
+  // moves by its displacement, of own and ghosts set by displace() or unpack()
   virtual void heat(const Particles &, const NeighborRows &, double *heat, bool book) = 0;
 
   virtual bool can_keep_heat() const { return false; }
