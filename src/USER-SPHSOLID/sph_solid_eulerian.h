@@ -166,7 +166,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   double *da(int i) { return const_cast<double *>(std::as_const(*this).da(i)); }
   const double *da(int i) const
   {
-    const double *first = da_in_rows ? &krow[Kin::LENGTHS + Kin::H_LANE] : da_rows.data();
+    const double *first = da_in_rows ? krow.data() + Kin::LENGTHS + Kin::H_LANE : da_rows.data();
     return first + static_cast<std::size_t>(i) * da_stride;
   }
   double *str(int i) { return &srow[i * stress_stride]; }
