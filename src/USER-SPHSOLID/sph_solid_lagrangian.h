@@ -51,8 +51,8 @@ namespace {
 template <int D> class LagrangianSweeps : public PointSweeps<D> {
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      PointSweeps<D>(o, t), at_rate(at_C + (viscous() ? D * D : 0)),
-      at_da(at_rate + (keeps_rates() ? D * D : 0)), at_along(safe() ? X : at_da)
+      PointSweeps<D>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
+      at_along(safe() ? X : at_da)
   {
   }
 
@@ -89,17 +89,18 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   using Tensors = Tensor<D, Pack>;
 
   // components of a column: positions, velocities (for heat: displacements), positions in the
-  // reference, V0/h0^(D+2); what the constitutive update fills and ghosts are sent: sigma C,
-  // impedance rho c_L h, density, bulk sound speed, n of the correction or the switch of a
-  // viscosity; then, if a scene needs them, C, F' and the viscous acceleration
+  // reference, V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
+  // impedance rho c_L h, bulk sound speed, density that viscosity sees, n of the correction or the
+  // switch of a viscosity; then, if a scene needs them, the rate of deformation and the viscous
+  // acceleration
   static constexpr int X = 0, V = D, REFERENCE = 2 * D, WEIGHT = 3 * D, T = WEIGHT + 1,
-                       IMPEDANCE = T + D * D, RHO = IMPEDANCE + 1, SOUND = RHO + 1,
-                       LAST = SOUND + 1, FIXED = LAST + 1, MOST = FIXED + 2 * D * D + D;
+                       IMPEDANCE = T + D * D, SOUND = IMPEDANCE + 1, DENSITY = SOUND + 1,
+                       LAST = DENSITY + 1, FIXED = LAST + 1, SYMMETRIC = D * (D + 1) / 2,
+                       MOST = FIXED + SYMMETRIC + D;
   static constexpr int NEXT = Columns::NEXT;
-  bool viscous() const { return opt.viscosity != Viscosity::NONE; }
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
-  static constexpr int at_C = FIXED;
-  const int at_rate, at_da;
+  static constexpr int at_rate = FIXED;
+  const int at_da;
   const int at_along;    // what the correction's force on a pair is along
   int components() const { return at_da + (needs_correction() ? D : 0); }
 
@@ -112,7 +113,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
   int end_of_own = 0, end_of_columns = 0;
   Slots slots;
-  Rows B, F;    // of own particles; B on and above the diagonal, F only where nobody reads C
+  Rows B, F;    // of own particles; B on and above the diagonal
   Rows damp;    // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
   Rows pull;    // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
@@ -233,7 +234,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
       for (int b = 0; b < D; b++) t(a, b) = load(&of[((block * D + a) * D + b) * LANES]);
     return t;
   }
-  static constexpr int SYMMETRIC = D * (D + 1) / 2;
   double *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
   const double *correction_of(int block) const
   {
@@ -256,29 +256,35 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void pack_vectors(int block, const Batch &, int component, const double *const *of);
   void mirror_vectors(int component);
   int place_of(Message) const;
-  // x.TX, T of one particle or the sum of two
-  static Pack along(const double *i, int c, const Pack *x, const Pack *X)
+  // the rate of deformation D, on and above the diagonal, twice what lies above
+  void store_rate(int column, const Tensors &L)
   {
-    return product(
-        [=](int k) {
-          return component(i, c + k);
-        },
-        x, X);
+    Pack components[SYMMETRIC], *to = components;
+    for (int a = 0; a < D; a++) {
+      *to++ = L(a, a);
+      for (int b = a + 1; b < D; b++) *to++ = L(a, b) + L(b, a);
+    }
+    columns.store(column, at_rate, components, SYMMETRIC);
   }
-  static Pack along_sum(const double *i, const double *j, int c, const Pack *x, const Pack *X)
+  // x.Dx: of one particle, or the sum of two
+  static Pack stretching(const double *i, const Pack *x)
   {
-    return product(
-        [=](int k) {
-          return component(i, c + k) + component(j, c + k);
-        },
-        x, X);
+    return stretching(x, [=](int c) {
+      return component(i, at_rate + c);
+    });
   }
-  template <class T> static Pack product(T tensor, const Pack *x, const Pack *X)
+  static Pack stretching(const double *i, const double *j, const Pack *x)
+  {
+    return stretching(x, [=](int c) {
+      return component(i, at_rate + c) + component(j, at_rate + c);
+    });
+  }
+  template <class Rate> static Pack stretching(const Pack *x, Rate rate)
   {
     Pack sum = 0.0;
-    for (int a = 0; a < D; a++) {
-      Pack t = tensor(D * a) * X[0];
-      for (int b = 1; b < D; b++) t = multiply_add(tensor(D * a + b), X[b], t);
+    for (int a = 0, c = 0; a < D; a++) {
+      Pack t = rate(c++) * x[a];
+      for (int b = a + 1; b < D; b++) t = multiply_add(rate(c++), x[b], t);
       sum = multiply_add(x[a], t, sum);
     }
     return sum;
@@ -352,10 +358,9 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void find_weights();
   void safe_pulls(int block);
 
-  Tensors deformation_gradients(const Particles &, int block, const Batch &) const;
   Pack room_left(const Tensors &Fi, int block) const;
   int neighbor(int slot, int block, int lane) const;
-  Overload overload(const Particles &, int block) const;
+  Overload overload(int block) const;
   Overload overload(const Tensor<D> &Fi, int block, int lane) const;
 };
 

@@ -347,6 +347,8 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       double *at = of.correction_of(block) + m;
       for (int a = 0; a < D; a++)
         for (int b = a; b < D; b++, at += LANES) *at = inverse(a, b);
+      const int i = of.own[block * LANES + n];
+      of.columns.set(block * LANES + m, DENSITY, p.mass[i] / p.vref[i] * inverse.trace() / D);
       if (of.needs_correction()) of.columns.set(block * LANES + m, LAST, rounded(nsum[n]));
     }
   }
@@ -460,7 +462,7 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
   }
   damp.clear();
   B.resize(static_cast<std::size_t>(end_of_own) * SYMMETRIC);
-  if (!viscous()) F.resize(static_cast<std::size_t>(end_of_own) * D * D);
+  F.resize(static_cast<std::size_t>(end_of_own) * D * D);
   if (this->limits_step) mu_max.assign(end_of_own, 0.0);
   if (this->keeps_heat) early.assign(end_of_own, 0.0);
   weights_known = false;
@@ -475,16 +477,6 @@ template <int D> int LagrangianSweeps<D>::neighbor_count(int i) const
    particles come closer with the least principal stretch, and so must the
    time step
 ------------------------------------------------------------------------- */
-
-template <int D>
-typename LagrangianSweeps<D>::Tensors
-LagrangianSweeps<D>::deformation_gradients(const Particles &p, int block, const Batch &batch) const
-{
-  if (!viscous()) return load_tensors(F, block);
-  const double *i = columns.at(block * LANES);
-  const Pack J = batch.load(p.mass) / (component(i, RHO) * batch.load(p.vref));
-  return J * tensor(i, at_C).inverse().transpose() * load_correction(block);
-}
 
 // eigenvalues only where the bound could be the least of all
 
@@ -501,10 +493,10 @@ double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRo
     for (int block = first; block < end; block++) {
       const Batch batch(list, block * LANES);
       const double *i = columns.at(block * LANES);
-      const Tensors Fi = deformation_gradients(p, block, batch);
+      const Tensors Fi = load_tensors(F, block);
       const Pack unstretched =
           Base::step_limit(Base::smoothing_lengths(p, batch), Base::shear_moduli(p, batch),
-                           component(i, RHO), component(i, SOUND), load(&mu_max[block * LANES]));
+                           batch.load(p.rho), component(i, SOUND), load(&mu_max[block * LANES]));
       if (!(least(unstretched * stretched(stretch_bound<D>(Fi))) < limit)) continue;
       for (int m = 0; m < batch.n; m++)
         limit = std::min(limit, unstretched[m] * stretched(least_stretch<D>(of_lane<D>(Fi, m))));
@@ -518,24 +510,23 @@ double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRo
    of each other
 ------------------------------------------------------------------------- */
 
-template <int D> Overload LagrangianSweeps<D>::find_overload(const Particles &p) const
+template <int D> Overload LagrangianSweeps<D>::find_overload(const Particles &) const
 {
   const int n = blocks();
   const int block = Base::least_of(n, n, [&](int first, int end) {
-    while (first < end && overload(p, first).kind == Overload::NONE) first++;
+    while (first < end && overload(first).kind == Overload::NONE) first++;
     return first < end ? first : n;
   });
-  return block < n ? overload(p, block) : Overload();
+  return block < n ? overload(block) : Overload();
 }
 
 // of the first particle of a block that is beyond it
 
-template <int D> Overload LagrangianSweeps<D>::overload(const Particles &p, int block) const
+template <int D> Overload LagrangianSweeps<D>::overload(int block) const
 {
-  const Batch batch(own_list(), block * LANES);
-  const Tensors Fi = deformation_gradients(p, block, batch);
+  const Tensors Fi = load_tensors(F, block);
   if (all_positive(room_left(Fi, block))) return {};
-  for (int m = 0; m < batch.n; m++) {
+  for (int m = 0; m < particles_of(block); m++) {
     const Overload found = overload(of_lane<D>(Fi, m), block, m);
     if (found.kind != Overload::NONE) return found;
   }

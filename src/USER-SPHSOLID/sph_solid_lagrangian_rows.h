@@ -124,12 +124,11 @@ template <int D> void LagrangianSweeps<D>::pack(Message what, int i, double *out
 }
 
 template <int D>
-void LagrangianSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
+void LagrangianSweeps<D>::unpack(Message what, const Particles &, int i, const double *in)
 {
   const int column = column_of[i], first = place_of(what);
   if (column < 0) return;
   columns.set(column, first, in, message_size(what));
-  if (what == Message::STRESS) p.rho[i] = in[RHO - T];
 }
 
 // a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
@@ -144,14 +143,11 @@ template <int D> void LagrangianSweeps<D>::mirror_stress()
     auto copy = [&](int c, double factor) {
       columns.set(to, c, factor * columns.get(from, c));
     };
-    auto copy_tensor = [&](int c) {
-      for (int a = 0; a < D; a++)
-        for (int b = 0; b < D; b++) copy(c + D * a + b, sign[a] * sign[b]);
-    };
-    copy_tensor(T);
-    for (const int c : {IMPEDANCE, RHO, SOUND, LAST}) copy(c, 1.0);
-    if (viscous()) copy_tensor(at_C);
-    if (keeps_rates()) copy_tensor(at_rate);
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) copy(T + D * a + b, sign[a] * sign[b]);
+    for (const int c : {IMPEDANCE, SOUND, DENSITY, LAST}) copy(c, 1.0);
+    for (int a = 0, c = at_rate; keeps_rates() && a < D; a++)
+      for (int b = a; b < D; b++) copy(c++, sign[a] * sign[b]);
   }
 
   if (needs_correction() && !weights_known) {    // as long as weights are known, so is this

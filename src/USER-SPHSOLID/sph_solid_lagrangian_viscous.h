@@ -24,9 +24,7 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
     for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
       const double *j = neighbors(s);
       const Components<D> d = motion(i, j);
-      Pack reference[D];
-      difference(i, j, REFERENCE, reference);
-      const Pack li = along(i, at_rate, d.x, reference), lj = along(j, at_rate, d.x, reference);
+      const Pack li = stretching(i, d.x), lj = stretching(j, d.x);
       const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
       const Pack w = -factor(s, j) / (d.x_dot_x() + least);
       rest2 += w * rest * rest;

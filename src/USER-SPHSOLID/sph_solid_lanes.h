@@ -166,24 +166,21 @@ template <int D> inline void add_blocks(Several<D> *t)
       t[m].block[n] = sums_of_blocks(t[m].block[n], t[m + LANES - BLOCK].block[n]);
 }
 
+template <int D> inline Pack dot(const Pack *v, const Pack *w)
+{
+  Pack s = v[0] * w[0];
+  for (int a = 1; a < D; a++) s = multiply_add(v[a], w[a], s);
+  return s;
+}
+
 // of as many pairs as there are lanes: a lane of each component belongs to one of them
 
 template <int D> struct Components {
   Pack x[D], v[D];
   Pack free[2];    // three dimensions: what lies behind the vectors
 
-  Pack x_dot_x() const
-  {
-    Pack s = x[0] * x[0];
-    for (int a = 1; a < D; a++) s = multiply_add(x[a], x[a], s);
-    return s;
-  }
-  Pack v_dot_x() const
-  {
-    Pack s = v[0] * x[0];
-    for (int a = 1; a < D; a++) s = multiply_add(v[a], x[a], s);
-    return s;
-  }
+  Pack x_dot_x() const { return dot<D>(x, x); }
+  Pack v_dot_x() const { return dot<D>(v, x); }
   // sum += s x
   void add_to(Pack *sum, Pack s) const
   {

@@ -117,7 +117,7 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   const Tensors correction = load_correction(block);
   const Tensors Fi = Tensors::Identity() + sums.displacement * correction;
   const Tensors rate = sums.velocity * correction;
-  if (!viscous()) store_tensors(F, block, Fi);
+  store_tensors(F, block, Fi);
   if (LATE) add_late_heat(p, block, batch, sums, totals);
 
   Tensors L = Tensors::Zero();
@@ -135,14 +135,12 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   const int column = block * LANES;
   const Pack h = Base::smoothing_lengths(p, batch);
   store_tensor(column, T, sigma_C);
-  columns.store(column, RHO, rho);
   columns.store(column, SOUND, c);
   if (keeps_rates()) {
     const Pack c_l = Base::longitudinal_speed(c, Base::shear_moduli(p, batch), rho);
     columns.store(column, IMPEDANCE, rho * h * c_l);
-    store_tensor(column, at_rate, rate);
+    store_rate(column, rate * inverse);
   }
-  if (viscous()) store_tensor(column, at_C, C);
   if (needs_switch(pair_form(opt.viscosity)))
     columns.store(column, LAST, Base::own_switch(rate * inverse, c, h));
   columns.copy_to_rows(column, T, at_da);
@@ -188,10 +186,11 @@ void LagrangianSweeps<D>::force_blocks(const Particles &p)
 }
 
 // f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass.
-// viscosity: central, Pi = rho mu (a2 mu - a1 c) with eq. 24's mu at the
-// reference distance, G = min(0, x.(C_i+C_j)g/2)/x^2 the kernel gradient along x.
+// viscosity: central, Pi = rho0 mu (a2 mu - a1 c) with eq. 24's mu at the
+// reference distance, G = g.X/x^2 the kernel gradient along x: that of the deformed body,
+// J F^-T g, is J F^-T g.F X where x = F X, and rho J is rho0.
 // hourglass: c rho c_L h w_ij nu_ij with nu_ij the part along x_ij of
-// v_ij - (F'_i+F'_j)/2 X_ij, which no linear field contains, and
+// v_ij - (D_i+D_j)/2 x_ij, which no linear field contains, and
 // w_ij = -g_ij.X_ij/X_ij^2
 
 template <int D>
@@ -201,14 +200,13 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
-  constexpr int C_AT = FIXED, R_AT = C_AT + (VISCOUS ? D * D : 0);
   const double *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
   double *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
-  const double a1 = opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
-  const Pack zero(0.0), one(1.0);
+  const double half_a1 = 0.5 * opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
+  const Pack zero(0.0), half(0.5), one(1.0);
   Pack moment[D], stress[D], central[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
   for (int a = 0; a < D; a++) moment[a] = stress[a] = central[a] = replaced[a] = zero;
@@ -217,7 +215,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   for (int s = first; s < end; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
     const double *j = neighbors(s);
-    neighbors.template prefetch_ahead<R_AT + (RATES ? D * D : 0)>(s, j);
+    neighbors.template prefetch_ahead<at_rate + (RATES ? SYMMETRIC : 0)>(s, j);
     const float *constant = constants.of(s - first);
     const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
@@ -238,13 +236,13 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const Pack inv_r2 = 1.0 / r2;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {
-      li = along(i, R_AT, d.x, X);
-      lj = along(j, R_AT, d.x, X);
+      li = stretching(i, d.x);
+      lj = stretching(j, d.x);
     } else if (RATES)
-      li = along_sum(i, j, R_AT, d.x, X);
+      li = stretching(i, j, d.x);
     if (HOURGLASS) {
       const Pack impedance = damping_share * (component(i, IMPEDANCE) + component(j, IMPEDANCE));
-      const Pack per_weight = impedance * f * (vr - 0.5 * (li + lj)) * inv_r2;
+      const Pack per_weight = impedance * f * (vr - half * (BOTH ? li + lj : li)) * inv_r2;
       store(damping + k, per_weight);
       const Pack q = weight * per_weight;
       hourglass_power = multiply_add(q, vr, hourglass_power);
@@ -255,12 +253,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       const Pack jump = jump_left<FORM>(vr, li, lj, on);
       const Pack mu =
           minimum(jump, zero) * load(constant + Slots::NEARNESS) * square_root(r2) * inv_r2;
-      const Pack rho = 0.5 * (component(i, RHO) + component(j, RHO));
-      const Pack c = 0.5 * (component(i, SOUND) + component(j, SOUND));
-      Pack Pi = rho * mu * (a2 * mu - a1 * c);
+      const Pack rho = half * (component(i, DENSITY) + component(j, DENSITY));
+      const Pack c = component(i, SOUND) + component(j, SOUND);
+      Pack Pi = rho * mu * (a2 * mu - half_a1 * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
-      const Pack G = 0.5 * f * along_sum(i, j, C_AT, d.x, X);
-      const Pack per_weight = Pi * minimum(G, zero) * inv_r2;
+      const Pack per_weight = Pi * (f * dot<D>(X, X)) * inv_r2;
       if (keep) store(pulls + k, per_weight);
       const Pack q = weight * per_weight;    // V0_j Pi G
       if (keep) viscous_power = multiply_add(heated_pull(i, j, q), vr, viscous_power);
