@@ -90,7 +90,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
 
   // components of a column: positions, velocities (for heat: displacements), positions in the
   // reference, V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
-  // impedance rho c_L h, bulk sound speed, density that viscosity sees, n of the correction or the
+  // hourglass/2 rho c_L h, bulk sound speed, density that viscosity sees, n of the correction or the
   // switch of a viscosity; then, if a scene needs them, the rate of deformation and the viscous
   // acceleration
   static constexpr int X = 0, V = D, REFERENCE = 2 * D, WEIGHT = 3 * D, T = WEIGHT + 1,
@@ -113,7 +113,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
   int end_of_own = 0, end_of_columns = 0;
   Slots slots;
-  Rows B, F;    // of own particles; B on and above the diagonal
+  // of own particles: B on and above the diagonal, F, sum V0_j g_ij
+  Rows B, F, gradient_sum;
   Rows damp;    // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
   Rows pull;    // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
@@ -239,6 +240,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   {
     return &B[block * std::size_t(SYMMETRIC) * LANES];
   }
+  double *gradient_sum_of(int block) { return &gradient_sum[block * std::size_t(D) * LANES]; }
   Tensors load_correction(int block) const
   {
     Tensors t;

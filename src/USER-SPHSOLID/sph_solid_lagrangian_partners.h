@@ -329,7 +329,9 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     factor = CubicSpline<D>::gradient_factor(partner.r, h) / of.unit_factor;
     of_slot[Slots::NEARNESS] = q / (q * q + MU_EPSILON);
     const Vector<D> X = separation(i, partner.row);
-    moment[m] -= factor * of.columns.get(partner.column, WEIGHT) * X * X.transpose();
+    const Vector<D> of_pair = factor * of.columns.get(partner.column, WEIGHT) * X;
+    moment[m] -= of_pair * X.transpose();
+    for (int a = 0; a < D; a++) of.gradient_sum_of(block)[a * LANES + m] += of_pair[a];
     if (!partner.nearest) return;
     const double weight = p.mass[source] *
         rounded(Base::wbar_mass(partner.r, 1.0, near_support(i), near_support(source)));
@@ -463,6 +465,7 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
   damp.clear();
   B.resize(static_cast<std::size_t>(end_of_own) * SYMMETRIC);
   F.resize(static_cast<std::size_t>(end_of_own) * D * D);
+  gradient_sum.assign(static_cast<std::size_t>(end_of_own) * D, 0.0);
   if (this->limits_step) mu_max.assign(end_of_own, 0.0);
   if (this->keeps_heat) early.assign(end_of_own, 0.0);
   weights_known = false;
@@ -588,7 +591,7 @@ template <int D> int LagrangianSweeps<D>::neighbor(int slot, int block, int lane
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
   double bytes = columns.memory_usage() + slots.memory_usage() + near_weight.memory_usage();
-  for (const Rows *rows : {&B, &F, &damp, &pull, &near_pull, &mu_max, &early})
+  for (const Rows *rows : {&B, &F, &gradient_sum, &damp, &pull, &near_pull, &mu_max, &early})
     bytes += static_cast<double>(rows->capacity() * sizeof(double));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }

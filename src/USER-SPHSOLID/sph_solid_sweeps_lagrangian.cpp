@@ -36,12 +36,12 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
     const double *j = neighbors(s);
     neighbors.template prefetch_ahead<T>(s, j);
     const Components<D> d = motion(i, j);
-    const Pack F = factor(constants.of(s - first), j);
+    const Pack minus_F = -factor(constants.of(s - first), j);
     Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
     difference(i, j, REFERENCE, g);
     for (int a = 0; a < D; a++) {
       u[a] = d.x[a] - g[a];
-      g[a] = -(F * g[a]);
+      g[a] = minus_F * g[a];
     }
     displacement.add(u, g);
     velocity.add(d.v, g);
@@ -138,7 +138,7 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   columns.store(column, SOUND, c);
   if (keeps_rates()) {
     const Pack c_l = Base::longitudinal_speed(c, Base::shear_moduli(p, batch), rho);
-    columns.store(column, IMPEDANCE, rho * h * c_l);
+    columns.store(column, IMPEDANCE, (0.5 * opt.hourglass) * (rho * h * c_l));
     store_rate(column, rate * inverse);
   }
   if (needs_switch(pair_form(opt.viscosity)))
@@ -185,7 +185,12 @@ void LagrangianSweeps<D>::force_blocks(const Particles &p)
   Totals::add(early_totals, totals);
 }
 
-// f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass.
+// of lanes without a partner, which may lie on what they read, and particles that land on their image:
+// find_overload() will say so.  Its inverse times 0 is 0
+constexpr double LEAST_R2 = 1.0e-200;
+
+// f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass; T_i sum V0_j g_ij, which is
+// constant, comes last.
 // viscosity: central, Pi = rho0 mu (a2 mu - a1 c) with eq. 24's mu at the
 // reference distance, G = g.X/x^2 the kernel gradient along x: that of the deformed body,
 // J F^-T g, is J F^-T g.F X where x = F X, and rho J is rho0.
@@ -205,11 +210,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const auto constants = slots.constants.from(first);
   double *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
-  const double half_a1 = 0.5 * opt.a1, a2 = opt.a2, damping_share = 0.5 * opt.hourglass;
-  const Pack zero(0.0), half(0.5), one(1.0);
-  Pack moment[D], stress[D], central[D], replaced[D];    // sums over pairs
+  const double a1_of_sums = 0.25 * opt.a1, a2_of_sum = 0.5 * opt.a2;    // of both particles
+  const Pack zero(0.0), one(1.0), least_r2(LEAST_R2);
+  Pack stress[D], central[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
-  for (int a = 0; a < D; a++) moment[a] = stress[a] = central[a] = replaced[a] = zero;
+  for (int a = 0; a < D; a++) stress[a] = central[a] = replaced[a] = zero;
   Neighbors neighbors(*this, block, at_da);
 
   for (int s = first; s < end; s++) {
@@ -220,19 +225,15 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
     difference(i, j, REFERENCE, X);
-    for (int a = 0; a < D; a++) {    // T_i sum F X + sum F T_j X
+    for (int a = 0; a < D; a++) {
       Pack t = component(j, T + D * a) * X[0];
       for (int b = 1; b < D; b++) t = multiply_add(component(j, T + D * a + b), X[b], t);
       stress[a] = multiply_add(F, t, stress[a]);
     }
-    for (int a = 0; a < D; a++) moment[a] = multiply_add(F, X[a], moment[a]);
     if (!VISCOUS && !HOURGLASS) continue;
 
-    // lanes without a partner may lie on what they read, and particles may land on their image:
-    // find_overload() will say so
     const Components<D> d = motion(i, j);
-    const Pack apart = d.x_dot_x(), vr = d.v_dot_x();
-    const Pack r2 = where_positive(minimum(-f, apart), apart, one);
+    const Pack r2 = maximum(d.x_dot_x(), least_r2), vr = d.v_dot_x();
     const Pack inv_r2 = 1.0 / r2;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {
@@ -241,8 +242,9 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     } else if (RATES)
       li = stretching(i, j, d.x);
     if (HOURGLASS) {
-      const Pack impedance = damping_share * (component(i, IMPEDANCE) + component(j, IMPEDANCE));
-      const Pack per_weight = impedance * f * (vr - half * (BOTH ? li + lj : li)) * inv_r2;
+      const Pack impedance = component(i, IMPEDANCE) + component(j, IMPEDANCE);
+      const Pack rest = multiply_add(BOTH ? li + lj : li, Pack(-0.5), vr);
+      const Pack per_weight = impedance * f * rest * inv_r2;
       store(damping + k, per_weight);
       const Pack q = weight * per_weight;
       hourglass_power = multiply_add(q, vr, hourglass_power);
@@ -253,35 +255,39 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       const Pack jump = jump_left<FORM>(vr, li, lj, on);
       const Pack mu =
           minimum(jump, zero) * load(constant + Slots::NEARNESS) * square_root(r2) * inv_r2;
-      const Pack rho = half * (component(i, DENSITY) + component(j, DENSITY));
+      const Pack rho = component(i, DENSITY) + component(j, DENSITY);
       const Pack c = component(i, SOUND) + component(j, SOUND);
-      Pack Pi = rho * mu * (a2 * mu - half_a1 * c);
+      Pack Pi = rho * mu * (a2_of_sum * mu - a1_of_sums * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
       const Pack per_weight = Pi * (f * dot<D>(X, X)) * inv_r2;
       if (keep) store(pulls + k, per_weight);
       const Pack q = weight * per_weight;    // V0_j Pi G
       if (keep) viscous_power = multiply_add(heated_pull(i, j, q), vr, viscous_power);
-      const Pack whole = alone ? whole_pull(i, j, q) : zero;
-      if (alone) d.add_to(central, -whole);
-      d.add_to(replaced, alone ? whole - q : -q);
+      if (alone) {
+        const Pack whole = whole_pull(i, j, q);
+        d.add_to(central, -whole);
+        d.add_to(replaced, q - whole);
+      } else
+        d.add_to(replaced, q);
       mu_least = minimum(mu_least, mu);
     }
   }
 
   const Pack V0 = batch.load(p.vref);
+  const double *own_sum = gradient_sum_of(block);
   Pack force[D],
       acceleration[D];    // not the sums, which would be kept in memory if one took their address
   for (int a = 0; a < D; a++) {
     force[a] = stress[a];
     for (int b = 0; b < D; b++)
-      force[a] = multiply_add(component(i, T + D * a + b), moment[b], force[a]);
+      force[a] = multiply_add(component(i, T + D * a + b), load(own_sum + b * LANES), force[a]);
     force[a] += central[a];
-    if (VISCOUS && !correct) force[a] += replaced[a];
+    if (VISCOUS && !correct) force[a] -= replaced[a];
     force[a] *= V0;
   }
   if (VISCOUS && correct) {
     const Pack per_mass = V0 / batch.load(p.mass);
-    for (int a = 0; a < D; a++) acceleration[a] = per_mass * replaced[a];
+    for (int a = 0; a < D; a++) acceleration[a] = -(per_mass * replaced[a]);
     columns.store(block * LANES, at_da, acceleration, D);
   }
   columns.copy_to_rows(block * LANES, at_da, columns.components());

@@ -25,6 +25,68 @@ TEST(LimitedViscosity, HeatsEveryParticle)
   }
 }
 
+// a lattice that is smaller by the same factor along all axes, and turned, is what a kernel with a
+// smaller h would have made of it: whatever the velocities, viscous forces in the bulk are those of
+// the Eulerian frame (test_viscosity.cpp), times B, which that one does not have.  Kernel gradients
+// have 24 bits
+
+class LagrangianViscosity : public testing::TestWithParam<int> {};
+
+TEST_P(LagrangianViscosity, IsTheEulerianOneOfASmallerLattice)
+{
+  const int dim = GetParam(), n = dim == 2 ? 15 : 13;
+  const double smaller = 0.8;
+  const Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(0, 0, 1)).toRotationMatrix();
+  Cloud c(dim);
+  c.add_lattice(n, n, n);
+  const int middle = c.size() / 2;
+  const double B = dim / (moment(c, middle).trace() - (3 - dim));
+  c.refer();
+  Noise noise(21);
+  for (int i = 0; i < c.size(); i++) {
+    c.x[i] = smaller * turn * c.x[i];
+    c.v[i] = noise.vector(dim);
+    c.rho[i] = std::pow(smaller, -dim);
+  }
+  Vector3d f[2];
+  for (Frame frame : {Frame::EULERIAN, Frame::LAGRANGIAN}) {
+    c.opt.frame = frame;
+    c.opt.h = frame == Frame::EULERIAN ? smaller * 1.3 : 1.3;
+    c.opt.viscosity = Viscosity::NONE;
+    c.evaluate();
+    const Vector3d without = c.f(middle);
+    c.opt.viscosity = Viscosity::MONAGHAN;
+    c.opt.a1 = 1.0;
+    c.opt.a2 = 2.0;
+    c.evaluate();
+    f[frame == Frame::LAGRANGIAN] = c.f(middle) - without;
+  }
+  EXPECT_GT(f[0].norm(), 0.1);
+  EXPECT_LT((f[1] - B * f[0]).norm(), 3e-7 * f[0].norm());
+}
+
+// a body turns that is deformed in any way, such as its kernel does not resolve: no particle comes
+// closer to another, and neither damping nor viscosity feels anything
+
+TEST_P(LagrangianViscosity, NothingOfItInARotation)
+{
+  Cloud c = shaken(GetParam(), 5);
+  const Vector3d axis = c.dim == 2 ? Vector3d(0, 0, 3) : Vector3d(1, -2, 3);
+  c.move([&](const Vector3d &x) -> Vector3d {
+    return axis.cross(x);
+  });
+  c.evaluate();
+  const std::vector<Vector3d> without = forces(c);
+  c.opt.hourglass = 10.0;
+  for (Viscosity viscosity : {Viscosity::NONE, Viscosity::LIMITED, Viscosity::FRONT}) {
+    c.opt.viscosity = viscosity;
+    c.evaluate();
+    EXPECT_LT(largest_difference(forces(c), without), 1e-12 * largest(without));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, LagrangianViscosity, testing::Values(2, 3));
+
 // the filter of the acceleration correction: nothing is left of a constant
 
 TEST(LagrangianCorrection, VanishesForAConstant)
