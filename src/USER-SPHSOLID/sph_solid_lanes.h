@@ -20,7 +20,22 @@
 #include "sph_solid_rows.h"
 #include "sph_solid_tensor.h"
 
+#include <utility>
+
 namespace SPHSolid {
+
+// call(0), call(1), ... of the D components of a vector, as constants: with a loop over three the compiler
+// keeps sums over pairs in memory instead of registers
+
+template <class Call, int... a>
+inline void each_component(const Call &call, std::integer_sequence<int, a...>)
+{
+  (call(std::integral_constant<int, a>()), ...);
+}
+template <int D, class Call> inline void each_component(const Call &call)
+{
+  each_component(call, std::make_integer_sequence<int, D>());
+}
 
 // one block in two dimensions, three in three
 
@@ -184,7 +199,9 @@ template <int D> struct Components {
   // sum += s x
   void add_to(Pack *sum, Pack s) const
   {
-    for (int a = 0; a < D; a++) sum[a] = multiply_add(s, x[a], sum[a]);
+    each_component<D>([&](auto a) {
+      sum[a] = multiply_add(s, x[a], sum[a]);
+    });
   }
 };
 
@@ -195,27 +212,39 @@ template <int D> struct TensorSums {
 
   TensorSums()
   {
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) sum[a][b] = 0.0;
+    each_component<D>([&](auto a) {
+      each_component<D>([&](auto b) {
+        sum[a][b] = 0.0;
+      });
+    });
   }
   void add(const Pack *v, const Pack *w)
   {
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
+    each_component<D>([&](auto a) {
+      each_component<D>([&](auto b) {
+        sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
+      });
+    });
   }
   Several<D> blocks() const { return blocks(false); }
   Tensor<D, Pack> tensor() const    // with all lanes as they are
   {
     Tensor<D, Pack> t;
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) t(a, b) = sum[a][b];
+    each_component<D>([&](auto a) {
+      each_component<D>([&](auto b) {
+        t(a(), b()) = sum[a][b];
+      });
+    });
     return t;
   }
   // of w = v times a number: half of the components are those of the other half
   void add_symmetric(const Pack *v, const Pack *w)
   {
-    for (int a = 0; a < D; a++)
-      for (int b = a; b < D; b++) sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
+    each_component<D>([&](auto a) {
+      each_component<D>([&](auto b) {
+        if (b >= a) sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
+      });
+    });
   }
   Several<D> symmetric_blocks() const { return blocks(true); }
 

@@ -214,7 +214,9 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const Pack zero(0.0), one(1.0), least_r2(LEAST_R2);
   Pack stress[D], central[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
-  for (int a = 0; a < D; a++) stress[a] = central[a] = replaced[a] = zero;
+  each_component<D>([&](auto a) {
+    stress[a] = central[a] = replaced[a] = zero;
+  });
   Neighbors neighbors(*this, block, at_da);
 
   for (int s = first; s < end; s++) {
@@ -225,11 +227,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
     difference(i, j, REFERENCE, X);
-    for (int a = 0; a < D; a++) {
+    each_component<D>([&](auto a) {
       Pack t = component(j, T + D * a) * X[0];
       for (int b = 1; b < D; b++) t = multiply_add(component(j, T + D * a + b), X[b], t);
       stress[a] = multiply_add(F, t, stress[a]);
-    }
+    });
     if (!VISCOUS && !HOURGLASS) continue;
 
     const Components<D> d = motion(i, j);
@@ -277,17 +279,19 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const double *own_sum = gradient_sum_of(block);
   Pack force[D],
       acceleration[D];    // not the sums, which would be kept in memory if one took their address
-  for (int a = 0; a < D; a++) {
+  each_component<D>([&](auto a) {
     force[a] = stress[a];
     for (int b = 0; b < D; b++)
       force[a] = multiply_add(component(i, T + D * a + b), load(own_sum + b * LANES), force[a]);
     force[a] += central[a];
     if (VISCOUS && !correct) force[a] -= replaced[a];
     force[a] *= V0;
-  }
+  });
   if (VISCOUS && correct) {
     const Pack per_mass = V0 / batch.load(p.mass);
-    for (int a = 0; a < D; a++) acceleration[a] = -(per_mass * replaced[a]);
+    each_component<D>([&](auto a) {
+      acceleration[a] = -(per_mass * replaced[a]);
+    });
     columns.store(block * LANES, at_da, acceleration, D);
   }
   columns.copy_to_rows(block * LANES, at_da, columns.components());
