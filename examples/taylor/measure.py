@@ -185,7 +185,7 @@ def refinement_rows(cases):
 
 SPEED_HEAD = ("speed (m/s)", "frame", "viscosity", "wall", "ends at (us)", "length", "foot", "over 7.6 mm", "KE", "closest", "energy error", "CPU s", "why it ended")
 WHY = (("turned over", "a particle has turned over"), ("squeezed flat", "a particle is squeezed flat"),
-       ("lies on a partner", "a particle lies on a partner"), ("has been lost", "a particle has left the box"))
+       ("lies on a partner", "a particle lies on a partner"), ("has been lost", "a particle has left the box"), ("is not physical", "a state is not physical"))
 
 
 def why(case):
