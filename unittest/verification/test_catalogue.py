@@ -50,6 +50,8 @@ class Judging(unittest.TestCase):
     def test_known_miss_has_to_be_missed(self):
         self.assertEqual(self.count(Scene({"error": "why"}), ran(10, 0.2)), 0)
         self.assertEqual(self.count(Scene({"error": "why"}), ran(10, 0.05)), 1)
+        for value in (0.2, 0.05):
+            self.assertEqual(self.count(Scene({"error": catalogue.Chance("why")}), ran(10, value)), 0)
 
     def test_crash(self):
         crashed = Result(Case("some-10", methods.METHODS[0], 10), {}, "ERROR")
@@ -57,6 +59,7 @@ class Judging(unittest.TestCase):
         crashed.case.may_fail = "why"
         self.assertEqual(self.count(Scene(), crashed), 0)
         self.assertEqual(self.count(Scene(), ran(10, 0.05, may_fail="why")), 1)
+        self.assertEqual(self.count(Scene(), ran(10, 0.05, may_fail=catalogue.Chance("why"))), 0)
 
     def test_order(self):
         second = [ran(n, 1 / n**2) for n in (10, 20, 40)]

@@ -5,7 +5,7 @@ import math
 import bodies
 import methods
 import stock
-from catalogue import Figure, case, series
+from catalogue import Chance, Figure, case, series
 from histories import drift
 from running import columns, snapshots
 
@@ -114,7 +114,11 @@ def misses(case):
     if case.variables.get("tensile") == "none":
         return {"broken": torn} if case.method.key == "E-safe" else {"broken": torn, "joined": torn}
     pumped = "particles pair up all the same; artificial stress drives them, and what it drives becomes heat"
-    return {"heat": pumped} if case.n >= {"E-correct": 8, "E-safe": 6}.get(case.method.key, math.inf) else {}
+    astray = Chance("particles that pair up leave a ring or reach the other one")
+    found = {"heat": pumped} if case.n >= {"E-correct": 8, "E-safe": 6}.get(case.method.key, math.inf) else {}
+    if found or case.method.key == "E-safe":
+        found.update(broken=astray, joined=astray)
+    return found
 
 
 def draw(results, file):

@@ -5,7 +5,7 @@ import math
 import bodies
 import methods
 import stock
-from catalogue import Figure, case, series
+from catalogue import Chance, Figure, case, series
 from histories import drift
 from running import columns, snapshots
 
@@ -51,7 +51,7 @@ def cases(level):
 
 
 FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
-         "E-safe": "particles in tension pair up, and too little damps them"}
+         "E-safe": Chance("particles in tension pair up, and too little damps them")}
 
 
 def sizes(method, level):
@@ -110,6 +110,8 @@ def misses(case):
         return {"lost": PLAIN, "kinetic": PLAIN}
     if case.name == "E-front-20":
         return {"kinetic": TENSION}
+    if case.name == "E-safe-20":
+        return {"lost": Chance(TENSION), "kinetic": Chance(TENSION)}
     pairs_up = case.method.key in ("E-correct", "E-monaghan05") and case.n >= 20
     return {"lost": TENSION, "kinetic": TENSION} if pairs_up else {}
 
