@@ -167,7 +167,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
         i(s.columns.at(block * LANES)), last(up_to)
     {
     }
-    const double *operator()(int slot)
+    [[gnu::always_inline]] const double *operator()(int slot)
     {
       const std::ptrdiff_t n = further[slot];
       if (n < Slots::GATHERED) return i + n;

@@ -28,11 +28,12 @@ namespace SPHSolid {
 // keeps sums over pairs in memory instead of registers
 
 template <class Call, int... a>
-inline void each_component(const Call &call, std::integer_sequence<int, a...>)
+[[gnu::always_inline]] inline void each_component(const Call &call,
+                                                  std::integer_sequence<int, a...>)
 {
   (call(std::integral_constant<int, a>()), ...);
 }
-template <int D, class Call> inline void each_component(const Call &call)
+template <int D, class Call> [[gnu::always_inline]] inline void each_component(const Call &call)
 {
   each_component(call, std::make_integer_sequence<int, D>());
 }
@@ -197,15 +198,21 @@ template <int D> struct Components {
   Pack x_dot_x() const { return dot<D>(x, x); }
   Pack v_dot_x() const { return dot<D>(v, x); }
   // sum += s x
-  void add_to(Pack *sum, Pack s) const
+  [[gnu::always_inline]] void add_to(Pack *sum, Pack s) const
   {
-    each_component<D>([&](auto a) {
-      sum[a] = multiply_add(s, x[a], sum[a]);
-    });
+    add_to(sum, s, std::make_integer_sequence<int, D>());
+  }
+
+ private:
+  template <int... a>
+  [[gnu::always_inline]] void add_to(Pack *sum, Pack s, std::integer_sequence<int, a...>) const
+  {
+    ((sum[a] = multiply_add(s, x[a], sum[a])), ...);
   }
 };
 
-// sums of a (x) b over pairs, each of them in a lane of its own
+// sums of a (x) b over pairs, each of them in a lane of its own; never called, but written where they
+// are wanted, whatever the compiler thinks of their size
 
 template <int D> struct TensorSums {
   Pack sum[D][D];
@@ -218,13 +225,9 @@ template <int D> struct TensorSums {
       });
     });
   }
-  void add(const Pack *v, const Pack *w)
+  [[gnu::always_inline]] void add(const Pack *v, const Pack *w)
   {
-    each_component<D>([&](auto a) {
-      each_component<D>([&](auto b) {
-        sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
-      });
-    });
+    add(v, w, std::make_integer_sequence<int, D * D>());
   }
   Several<D> blocks() const { return blocks(false); }
   Tensor<D, Pack> tensor() const    // with all lanes as they are
@@ -238,17 +241,28 @@ template <int D> struct TensorSums {
     return t;
   }
   // of w = v times a number: half of the components are those of the other half
-  void add_symmetric(const Pack *v, const Pack *w)
+  [[gnu::always_inline]] void add_symmetric(const Pack *v, const Pack *w)
   {
-    each_component<D>([&](auto a) {
-      each_component<D>([&](auto b) {
-        if (b >= a) sum[a][b] = multiply_add(v[a], w[b], sum[a][b]);
-      });
-    });
+    add_symmetric(v, w, std::make_integer_sequence<int, D * D>());
   }
   Several<D> symmetric_blocks() const { return blocks(true); }
 
  private:
+  template <int k> [[gnu::always_inline]] void add_one(const Pack *v, const Pack *w)
+  {
+    sum[k / D][k % D] = multiply_add(v[k / D], w[k % D], sum[k / D][k % D]);
+  }
+  template <int... k>
+  [[gnu::always_inline]] void add(const Pack *v, const Pack *w, std::integer_sequence<int, k...>)
+  {
+    (add_one<k>(v, w), ...);
+  }
+  template <int... k>
+  [[gnu::always_inline]] void add_symmetric(const Pack *v, const Pack *w,
+                                            std::integer_sequence<int, k...>)
+  {
+    ((k / D <= k % D ? add_one<k>(v, w) : void()), ...);
+  }
   // yet to be summed over blocks
   Several<D> blocks(bool symmetric) const
   {
