@@ -21,6 +21,7 @@
      F_i  = 1 + [sum_j V0_j (u_j - u_i) (x) g_ij] B_i,  u = x - X
      F'_i = [sum_j V0_j (v_j - v_i) (x) g_ij] B_i
      L_i  = F'_i (F_i - dt/2 F'_i)^-1            in the middle of the step
+     D_i  = sym(F'_i F_i^-1)                     rate of deformation
      C_i  = J_i F_i^-T B_i^T,  J_i = m_i/(rho_i V0_i)
      f_ij = V0_i V0_j (sigma_i C_i + sigma_j C_j) g_ij
 
