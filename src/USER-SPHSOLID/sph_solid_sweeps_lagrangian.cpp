@@ -192,8 +192,8 @@ constexpr double LEAST_R2 = 1.0e-200;
 // f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass; T_i sum V0_j g_ij, which is
 // constant, comes last.
 // viscosity: central, Pi = rho0 mu (a2 mu - a1 c) with eq. 24's mu at the
-// reference distance, G = g.X/x^2 the kernel gradient along x: that of the deformed body,
-// J F^-T g, is J F^-T g.F X where x = F X, and rho J is rho0.
+// reference distance, G = g.X/x^2 the kernel gradient along x: of the deformed body it is
+// J F^-T g, and (J F^-T g).x = J g.X where x = F X, whatever F is; rho J is rho0.
 // hourglass: c rho c_L h w_ij nu_ij with nu_ij the part along x_ij of
 // v_ij - (D_i+D_j)/2 x_ij, which no linear field contains, and
 // w_ij = -g_ij.X_ij/X_ij^2
