@@ -403,7 +403,7 @@ void PairSPHSolid::warn_lost_neighbors()
 void PairSPHSolid::report_overload()
 {
   if (options->distortion == Distortion::IGNORE || warned_overload) return;
-  const Overload end = sweeps->find_overload(particles());
+  const Overload end = sweeps->find_overload();
   if (end.kind == Overload::NONE) return;
   const int i = end.particle;
   static const char *const WHAT[] = {

@@ -77,7 +77,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   double time_step_limit(const Particles &, const NeighborRows &) const override;
   void velocity(int i, double *v) const override;
   int neighbor_count(int i) const override;
-  Overload find_overload(const Particles &) const override;
+  Overload find_overload() const override;
   double memory_usage() const override;
 
  private:

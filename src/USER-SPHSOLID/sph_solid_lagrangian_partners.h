@@ -513,7 +513,7 @@ double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRo
    of each other
 ------------------------------------------------------------------------- */
 
-template <int D> Overload LagrangianSweeps<D>::find_overload(const Particles &) const
+template <int D> Overload LagrangianSweeps<D>::find_overload() const
 {
   const int n = blocks();
   const int block = Base::least_of(n, n, [&](int first, int end) {

@@ -24,18 +24,18 @@
 
 namespace SPHSolid {
 
-// call(0), call(1), ... of the D components of a vector, as constants: with a loop over three the compiler
-// keeps sums over pairs in memory instead of registers
+// call(0), call(1), ... call(N - 1), as constants: with a loop over three components the compiler keeps
+// sums over pairs in memory instead of registers.  Never a function of its own, whatever the compiler
+// thinks of its size
 
-template <class Call, int... a>
-[[gnu::always_inline]] inline void each_component(const Call &call,
-                                                  std::integer_sequence<int, a...>)
+template <class Call, int... k>
+[[gnu::always_inline]] inline void each_index(const Call &call, std::integer_sequence<int, k...>)
 {
-  (call(std::integral_constant<int, a>()), ...);
+  (call(std::integral_constant<int, k>()), ...);
 }
-template <int D, class Call> [[gnu::always_inline]] inline void each_component(const Call &call)
+template <int N, class Call> [[gnu::always_inline]] inline void each_index(const Call &call)
 {
-  each_component(call, std::make_integer_sequence<int, D>());
+  each_index(call, std::make_integer_sequence<int, N>());
 }
 
 // one block in two dimensions, three in three
@@ -200,50 +200,44 @@ template <int D> struct Components {
   // sum += s x
   [[gnu::always_inline]] void add_to(Pack *sum, Pack s) const
   {
-    add_to(sum, s, std::make_integer_sequence<int, D>());
-  }
-
- private:
-  template <int... a>
-  [[gnu::always_inline]] void add_to(Pack *sum, Pack s, std::integer_sequence<int, a...>) const
-  {
-    ((sum[a] = multiply_add(s, x[a], sum[a])), ...);
+    each_index<D>([&](auto a) {
+      sum[a] = multiply_add(s, x[a], sum[a]);
+    });
   }
 };
 
-// sums of a (x) b over pairs, each of them in a lane of its own; never called, but written where they
-// are wanted, whatever the compiler thinks of their size
+// sums of a (x) b over pairs, each of them in a lane of its own
 
 template <int D> struct TensorSums {
   Pack sum[D][D];
 
   TensorSums()
   {
-    each_component<D>([&](auto a) {
-      each_component<D>([&](auto b) {
-        sum[a][b] = 0.0;
-      });
+    each_index<D * D>([&](auto k) {
+      sum[k / D][k % D] = 0.0;
     });
   }
   [[gnu::always_inline]] void add(const Pack *v, const Pack *w)
   {
-    add(v, w, std::make_integer_sequence<int, D * D>());
+    each_index<D * D>([&](auto k) {
+      add_one<k()>(v, w);
+    });
   }
   Several<D> blocks() const { return blocks(false); }
   Tensor<D, Pack> tensor() const    // with all lanes as they are
   {
     Tensor<D, Pack> t;
-    each_component<D>([&](auto a) {
-      each_component<D>([&](auto b) {
-        t(a(), b()) = sum[a][b];
-      });
+    each_index<D * D>([&](auto k) {
+      t(k / D, k % D) = sum[k / D][k % D];
     });
     return t;
   }
   // of w = v times a number: half of the components are those of the other half
   [[gnu::always_inline]] void add_symmetric(const Pack *v, const Pack *w)
   {
-    add_symmetric(v, w, std::make_integer_sequence<int, D * D>());
+    each_index<D * D>([&](auto k) {
+      if constexpr (k / D <= k % D) add_one<k()>(v, w);
+    });
   }
   Several<D> symmetric_blocks() const { return blocks(true); }
 
@@ -251,17 +245,6 @@ template <int D> struct TensorSums {
   template <int k> [[gnu::always_inline]] void add_one(const Pack *v, const Pack *w)
   {
     sum[k / D][k % D] = multiply_add(v[k / D], w[k % D], sum[k / D][k % D]);
-  }
-  template <int... k>
-  [[gnu::always_inline]] void add(const Pack *v, const Pack *w, std::integer_sequence<int, k...>)
-  {
-    (add_one<k>(v, w), ...);
-  }
-  template <int... k>
-  [[gnu::always_inline]] void add_symmetric(const Pack *v, const Pack *w,
-                                            std::integer_sequence<int, k...>)
-  {
-    ((k / D <= k % D ? add_one<k>(v, w) : void()), ...);
   }
   // yet to be summed over blocks
   Several<D> blocks(bool symmetric) const

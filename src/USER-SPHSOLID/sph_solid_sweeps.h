@@ -193,7 +193,7 @@ class Sweeps {
   virtual double memory_usage() const = 0;
 
   // the particle that the frame can follow no further, if there is one
-  virtual Overload find_overload(const Particles &) const { return {}; }
+  virtual Overload find_overload() const { return {}; }
 };
 
 // one per frame and dimension, for create()

@@ -136,13 +136,16 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   const Pack h = Base::smoothing_lengths(p, batch);
   store_tensor(column, T, sigma_C);
   columns.store(column, SOUND, c);
-  if (keeps_rates()) {
+  if (opt.hourglass > 0.0) {
     const Pack c_l = Base::longitudinal_speed(c, Base::shear_moduli(p, batch), rho);
     columns.store(column, IMPEDANCE, (0.5 * opt.hourglass) * (rho * h * c_l));
-    store_rate(column, rate * inverse);
   }
-  if (needs_switch(pair_form(opt.viscosity)))
-    columns.store(column, LAST, Base::own_switch(rate * inverse, c, h));
+  const bool switched = needs_switch(pair_form(opt.viscosity));
+  if (keeps_rates() || switched) {
+    const Tensors present = rate * inverse;    // velocity gradient at the end of the step
+    if (keeps_rates()) store_rate(column, present);
+    if (switched) columns.store(column, LAST, Base::own_switch(present, c, h));
+  }
   columns.copy_to_rows(column, T, at_da);
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
 }
@@ -214,7 +217,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const Pack zero(0.0), one(1.0), least_r2(LEAST_R2);
   Pack stress[D], central[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
-  each_component<D>([&](auto a) {
+  each_index<D>([&](auto a) {
     stress[a] = central[a] = replaced[a] = zero;
   });
   Neighbors neighbors(*this, block, at_da);
@@ -227,7 +230,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
     difference(i, j, REFERENCE, X);
-    each_component<D>([&](auto a) {
+    each_index<D>([&](auto a) {
       Pack t = component(j, T + D * a) * X[0];
       for (int b = 1; b < D; b++) t = multiply_add(component(j, T + D * a + b), X[b], t);
       stress[a] = multiply_add(F, t, stress[a]);
@@ -279,7 +282,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const double *own_sum = gradient_sum_of(block);
   Pack force[D],
       acceleration[D];    // not the sums, which would be kept in memory if one took their address
-  each_component<D>([&](auto a) {
+  each_index<D>([&](auto a) {
     force[a] = stress[a];
     for (int b = 0; b < D; b++)
       force[a] = multiply_add(component(i, T + D * a + b), load(own_sum + b * LANES), force[a]);
@@ -289,7 +292,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   });
   if (VISCOUS && correct) {
     const Pack per_mass = V0 / batch.load(p.mass);
-    each_component<D>([&](auto a) {
+    each_index<D>([&](auto a) {
       acceleration[a] = -(per_mass * replaced[a]);
     });
     columns.store(block * LANES, at_da, acceleration, D);

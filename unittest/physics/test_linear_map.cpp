@@ -91,7 +91,7 @@ TEST_P(LinearMap, DeterminantOfAMirroredBody)
     A.row(1) *= -1.0;
     deform(c, A);
     c.evaluate();
-    const Overload end = c.sweeps->find_overload(c.particles());
+    const Overload end = c.sweeps->find_overload();
     EXPECT_EQ(end.kind, Overload::TURNED_OVER);
     EXPECT_EQ(end.particle, 0);
     EXPECT_NEAR(end.value, A.determinant(), 1e-12);

@@ -126,7 +126,7 @@ TEST(FewParticles, One)
       EXPECT_EQ(c.f(0).norm(), 0.0);
       EXPECT_EQ(c.rho[0], 1.0);
       EXPECT_EQ(c.heat(c.v)[0], 0.0);
-      EXPECT_EQ(c.sweeps->find_overload(c.particles()).kind, Overload::NONE);
+      EXPECT_EQ(c.sweeps->find_overload().kind, Overload::NONE);
     }
 }
 

@@ -14,7 +14,7 @@ TEST(Overload, NoneForLargeDeformation)
     Cloud c = body(dim);
     deform(c, large(dim));
     c.evaluate();
-    EXPECT_EQ(c.sweeps->find_overload(c.particles()).kind, Overload::NONE);
+    EXPECT_EQ(c.sweeps->find_overload().kind, Overload::NONE);
   }
 }
 
@@ -24,7 +24,7 @@ TEST(Overload, SqueezedFlat)
     Cloud c = body(dim);
     deform(c, turned_stretch(0.005, 2.0, 1.0));
     c.evaluate();
-    const Overload end = c.sweeps->find_overload(c.particles());
+    const Overload end = c.sweeps->find_overload();
     EXPECT_EQ(end.kind, Overload::STRETCH);
     EXPECT_NEAR(end.value, 0.005, 1e-12);
   }
@@ -37,7 +37,7 @@ TEST(Overload, ParticleOnItsPartner)
   c.x[i][0] += 0.498;
   c.x[j][0] -= 0.498;
   c.evaluate();
-  const Overload end = c.sweeps->find_overload(c.particles());
+  const Overload end = c.sweeps->find_overload();
   EXPECT_EQ(end.kind, Overload::OVERLAP);
   EXPECT_EQ(end.particle, i);
   EXPECT_NEAR(end.value, 0.004, 1e-12);

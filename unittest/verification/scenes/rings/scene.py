@@ -115,10 +115,11 @@ def misses(case):
         return {"broken": torn} if case.method.key == "E-safe" else {"broken": torn, "joined": torn}
     pumped = "particles pair up all the same; artificial stress drives them, and what it drives becomes heat"
     astray = Chance("particles that pair up leave a ring or reach the other one")
-    found = {"heat": pumped} if case.n >= {"E-correct": 8, "E-safe": 6}.get(case.method.key, math.inf) else {}
-    if found or case.method.key == "E-safe":
-        found.update(broken=astray, joined=astray)
-    return found
+    if case.method.key == "E-correct" and case.n >= 8:
+        return {"heat": pumped, "joined": astray}
+    if case.method.key == "E-safe":
+        return {"broken": astray, "joined": astray, **({"heat": pumped} if case.n >= 6 else {})}
+    return {}
 
 
 def draw(results, file):
