@@ -160,13 +160,15 @@ void PairSPHSolid::compute(int eflag, int vflag)
 
 void PairSPHSolid::new_neighbors(bool setup)
 {
+  bool refers = false;
   require_state();
   if (!partners)
     sort_rows();
   else {
     if (!setup && partners->in_place()) return;
     if (setup) partners->require_same(smoothing_lengths());
-    if (setup && partners->anyone_without()) {
+    refers = setup && partners->anyone_without();
+    if (refers) {
       // LAMMPS keeps the stencil of bins that have become others in the same step
       if (list->np && list->np->ns) list->np->ns->last_stencil = -1;
       neighbor->build_one(list);
@@ -183,6 +185,18 @@ void PairSPHSolid::new_neighbors(bool setup)
   }
   sweeps->new_neighbors(p, rows(), largest_cutoff() + neighbor->skin);
   if (partners && partners->forget_rows()) give_back_freed_memory();
+  if (refers) log_uncorrected();
+}
+
+void PairSPHSolid::log_uncorrected()
+{
+  bigint mine = sweeps->uncorrected(), all = 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all > 0 && comm->me == 0)
+    utils::logmesg(lmp,
+                   "sph/solid: no gradient correction for {} particles, whose partners in the "
+                   "reference lie in one row or layer\n",
+                   all);
 }
 
 // what has served to arrange partners leaves holes below the arrays that stay, which are a tenth of

@@ -150,6 +150,7 @@ class PairSPHSolid : public Pair {
   void create_partners();
   void delete_partners();
   void new_neighbors(bool);
+  void log_uncorrected();
   void empty_list();
   void sort_rows();
   static void give_back_freed_memory();

@@ -77,6 +77,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   double time_step_limit(const Particles &, const NeighborRows &) const override;
   void velocity(int i, double *v) const override;
   int neighbor_count(int i) const override;
+  int uncorrected() const override { return nuncorrected; }
   Overload find_overload() const override;
   double memory_usage() const override;
 
@@ -126,7 +127,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   Rows mu_max, early;    // of own: largest approach rate; power of forces on their velocities
   Totals early_totals;
   bool weights_known = false;
-  std::mutex door;    // of shared vectors
+  int nuncorrected = 0;    // particles with partners and B = 1
+  std::mutex door;         // of shared vectors, and of that number
 
   // what is constant between two neighbor lists
   void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,

@@ -14,9 +14,18 @@
 
 namespace {
 
-// below this det M a particle has no partners to speak of and B = 1.  Corners
-// of a body reach 0.05 and need their B
-constexpr double DET_FALLBACK = 0.005;
+// B = 1 for who has all partners in one row or layer: of M's eigenvalues the least is nothing against
+// the others, det M below this share of (tr M/D)^D.  A share, since M of a corner of half cells in three
+// dimensions is small (det M 0.001) and nearly round (a share of 0.8), and particles with B = 1 are tied
+// to the axes of the laboratory: det M alone says nothing.  Caps of balls reach 0.17, a row 0
+constexpr double LEAST_ROUNDNESS = 0.02;
+
+template <int D> bool can_be_corrected(const Tensor<D> &moment)
+{
+  double round = 1.0;
+  for (int a = 0; a < D; a++) round *= moment.trace() / D;
+  return moment.determinant() > LEAST_ROUNDNESS * round;    // without partners both are 0
+}
 
 // the frame ends where the least principal stretch, or the stretch of a pair,
 // falls below this
@@ -295,14 +304,15 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
           if (!side_by_side) gathered++;
           s++;
         });
-    enter(block);
-    correct(block);
+    const int left = correct(block);
+    enter(block, left);
     find_foremost(block);
   }
 
-  void enter(int block)
+  void enter(int block, int left_uncorrected)
   {
     const std::lock_guard<std::mutex> alone(of.door);
+    of.nuncorrected += left_uncorrected;
     of.slots.constants.enter(of.slots.first[block], constants);
     of.near_weight.enter(of.slots.near_first[block], near);
   }
@@ -339,12 +349,15 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
     nsum[m] += weight;
   }
 
-  // B_i and, for the acceleration correction, n_i; behind the last particle the last one again
-  void correct(int block)
+  // B_i and, for the acceleration correction, n_i; behind the last particle the last one again.
+  // How many have partners and no B
+  int correct(int block)
   {
+    int left = 0;
     for (int m = 0; m < LANES; m++) {
       const int n = std::min(m, of.particles_of(block) - 1);
-      const bool enough = moment[n].determinant() >= DET_FALLBACK;
+      const bool enough = can_be_corrected<D>(moment[n]);
+      if (m == n && !enough && of.slots.count[block * LANES + m] > 0) left++;
       const Tensor<D> inverse = enough ? Tensor<D>(moment[n].inverse()) : Tensor<D>::Identity();
       double *at = of.correction_of(block) + m;
       for (int a = 0; a < D; a++)
@@ -353,6 +366,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       of.columns.set(block * LANES + m, DENSITY, p.mass[i] / p.vref[i] * inverse.trace() / D);
       if (of.needs_correction()) of.columns.set(block * LANES + m, LAST, rounded(nsum[n]));
     }
+    return left;
   }
 };
 
@@ -374,6 +388,7 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
     columns.set(column_of[row], REFERENCE, &reference[row * D], D);
     columns.set(column_of[row], WEIGHT, p.vref[source_of(row)] * unit_factor);
   }
+  nuncorrected = 0;
   each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
     arranging.fill(block, gathered[block]);
   });

@@ -192,6 +192,9 @@ class Sweeps {
   virtual int neighbor_count(int i) const = 0;
   virtual double memory_usage() const = 0;
 
+  // lagrangian: own particles whose partners, in one row or layer, do not allow a gradient correction
+  virtual int uncorrected() const { return 0; }
+
   // the particle that the frame can follow no further, if there is one
   virtual Overload find_overload() const { return {}; }
 };

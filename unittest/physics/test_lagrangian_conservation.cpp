@@ -182,6 +182,47 @@ TEST_P(Lagrangian, PeriodicBody)
   EXPECT_LT(net_force(one), 1e-13);
 }
 
+// half cells on the faces of a block, and an eighth of one on its corners in three dimensions: with
+// partners on one side only and small moments they need their gradient correction no less
+
+TEST(LagrangianCorners, OfHalfCellsHaveNoTorque)
+{
+  for (int dim : {2, 3})
+    for (double h : {0.8, 1.0, 1.3}) {
+      const int n = 5;
+      Cloud c = lattice(dim, n);
+      c.opt.frame = Frame::LAGRANGIAN;
+      c.opt.viscosity = Viscosity::MONAGHAN;
+      c.opt.h = h;
+      for (int i = 0; i < c.size(); i++)
+        for (int a = 0; a < dim; a++)
+          if (c.x[i][a] == 0.0 || c.x[i][a] == n - 1.0) c.volume[i] *= 0.5;
+      c.mass = c.volume;
+      c.refer();
+      deform(c, large(dim));
+      Noise noise(31);
+      c.stir(noise, 0.05, 0.0);
+      c.evaluate();
+      EXPECT_EQ(c.sweeps->uncorrected(), 0);
+      EXPECT_LT(net_torque(c), 1e-13);
+    }
+}
+
+// in a row nothing can be known of what is across it
+
+TEST(LagrangianCorners, RowsAreNotCorrected)
+{
+  for (int dim : {2, 3}) {
+    Cloud c(dim);
+    c.opt.frame = Frame::LAGRANGIAN;
+    c.add_lattice(7, 1);
+    c.add(Vector3d(100.0, 0.0, 0.0),
+          Vector3d::Zero());    // without partners: there is nothing to correct
+    c.evaluate();
+    EXPECT_EQ(c.sweeps->uncorrected(), 7);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Options, Lagrangian,
                          testing::Combine(testing::Values(2, 3), testing::ValuesIn(VISCOSITIES),
                                           testing::Bool()),
