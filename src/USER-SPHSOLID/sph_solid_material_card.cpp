@@ -6,7 +6,8 @@
 
 #include "comm.h"
 #include "error.h"
-#include "text_file_reader.h"
+#include "sph_solid_eos.h"
+#include "sph_solid_number.h"
 #include "update.h"
 #include "utils.h"
 
@@ -74,10 +75,11 @@ class Words {
   double number(const std::string &keyword, const std::string &what)
   {
     const std::string &w = next(what + " of keyword " + keyword);
-    if (!utils::is_double(w))
+    const auto value = number_of(w);
+    if (!value)
       lmp->error->all(FLERR, "{}: {} of keyword {} is '{}': expected a number", context, what,
                       keyword, w);
-    return std::stod(w);
+    return *value;
   }
 
  private:
@@ -132,6 +134,90 @@ void require_positive(LAMMPS *lmp, double value, const char *keyword, const std:
     lmp->error->all(FLERR, "{}: {} is {}: expected a value > 0", where, keyword, value);
 }
 
+// what follows from numbers that are possible one by one
+
+void require_finite(LAMMPS *lmp, const Material &m, const std::string &where)
+{
+  const Compression<> k = compression(m);
+  const struct {
+    const char *name;
+    double value;
+  } all[] = {{"shear modulus", m.shear},
+             {"yield stress", m.Y},
+             {"hardening modulus", m.H},
+             {"bulk modulus", m.bulk_modulus()},
+             {"stiffness of the shock line", k.a0 + k.b0 + k.c0 + k.Gamma},
+             {"Young's modulus", m.youngs_modulus()},
+             {"longitudinal sound speed", m.longitudinal_speed()}};
+  for (const auto &constant : all)
+    if (!std::isfinite(constant.value))
+      lmp->error->all(FLERR, "{}: the {} is {}: expected a material whose constants are finite",
+                      where, constant.name, constant.value);
+  if (!(m.bulk_modulus() > 0.0 && m.bulk_sound_speed() > 0.0))
+    lmp->error->all(FLERR, "{}: the bulk modulus is {}: expected a value > 0", where,
+                    m.bulk_modulus());
+}
+
+// the words after "material NAME" in a card, or what is wrong with it
+
+class Card {
+ public:
+  Card(const std::string &file, const std::string &name) : file(file), name(name) {}
+
+  std::string text, problem;
+
+  void read(const std::string &path)
+  {
+    FILE *in = fopen(path.c_str(), "r");
+    if (!in) return complain(0, "cannot be opened");
+    char line[MAXLINE];
+    for (int number = 1; problem.empty() && utils::fgets_trunc(line, MAXLINE, in); number++)
+      take(number, utils::split_words(utils::trim_comment(line)));
+    fclose(in);
+    if (problem.empty() && !seen) complain(0, "has no material '" + name + "': it holds" + found);
+  }
+
+ private:
+  static constexpr int MAXLINE = 1024;
+  const std::string &file, &name;
+  std::string found;
+  std::map<std::string, int> lines;    // of the materials
+  bool inside = false, seen = false;
+
+  void take(int number, const std::vector<std::string> &words)
+  {
+    if (words.empty()) return;
+    if (words[0] == "material") return begin(number, words);
+    if (lines.empty())
+      return complain(number, "'" + words[0] + "' stands before the first 'material NAME'");
+    if (!inside) return;
+    for (const auto &w : words) text += w + " ";
+  }
+
+  void begin(int number, const std::vector<std::string> &words)
+  {
+    if (words.size() != 2) {
+      std::string line;
+      for (const auto &w : words) line += (line.empty() ? "" : " ") + w;
+      return complain(number, "expected 'material NAME', found '" + line + "'");
+    }
+    const auto first = lines.insert({words[1], number});
+    if (!first.second)
+      return complain(number,
+                      "a second material '" + words[1] + "', the first is in line " +
+                          std::to_string(first.first->second) + ": expected each name once");
+    inside = words[1] == name;
+    seen = seen || inside;
+    found += " " + words[1];
+  }
+
+  void complain(int number, const std::string &what)
+  {
+    problem =
+        "card '" + file + "'" + (number ? ", line " + std::to_string(number) + ": " : " ") + what;
+  }
+};
+
 }    // namespace
 
 /* ---------------------------------------------------------------------- */
@@ -171,7 +257,8 @@ void SPHSolid::parse_material(LAMMPS *lmp, Material &m, const std::vector<std::s
 std::vector<std::string> SPHSolid::read_card(LAMMPS *lmp, const std::string &file,
                                              const std::string &name, std::string &units)
 {
-  std::string text, found, problem;
+  Card card(file, name);
+  std::string &problem = card.problem;
   if (lmp->comm->me == 0) {
     const std::string path = utils::get_potential_file_path(file);
     if (path.empty())
@@ -179,32 +266,14 @@ std::vector<std::string> SPHSolid::read_card(LAMMPS *lmp, const std::string &fil
           "': expected a file here or in a folder of LAMMPS_POTENTIALS";
     else {
       units = utils::get_potential_units(path, "potential");
-      TextFileReader reader(path, "sph/solid material card");
-      bool inside = false, seen = false;
-      while (char *line = reader.next_line()) {
-        auto words = utils::split_words(utils::trim_comment(line));
-        if (words.empty()) continue;
-        if (words[0] == "material") {
-          if (words.size() != 2) {
-            problem =
-                "card '" + file + "': expected 'material NAME', found '" + utils::trim(line) + "'";
-            break;
-          }
-          inside = (words[1] == name);
-          seen = seen || inside;
-          found += " " + words[1];
-        } else if (inside)
-          for (const auto &w : words) text += w + " ";
-      }
-      if (problem.empty() && !seen)
-        problem = "card '" + file + "' has no material '" + name + "': it holds" + found;
+      card.read(path);
       if (problem.empty() && units.empty())
         problem = "card '" + file +
             "' does not state its units: expected '# UNITS: si ...' in its first line";
     }
   }
 
-  std::string message = problem + "\n" + units + "\n" + text;
+  std::string message = problem + "\n" + units + "\n" + card.text;
   int length = static_cast<int>(message.size());
   MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
   message.resize(length);
@@ -246,6 +315,7 @@ void SPHSolid::check_material(LAMMPS *lmp, const Material &m, const std::string 
                     where, m.young, m.shear);
   if (m.H < 0.0)
     lmp->error->all(FLERR, "{}: hardening modulus H is {}: expected a value >= 0", where, m.H);
+  require_finite(lmp, m, where);
 }
 
 /* ---------------------------------------------------------------------- */

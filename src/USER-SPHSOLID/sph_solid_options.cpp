@@ -5,7 +5,7 @@
 #include "sph_solid_options.h"
 
 #include "error.h"
-#include "utils.h"
+#include "sph_solid_number.h"
 
 #include <string>
 
@@ -36,14 +36,14 @@ class Reader {
   {
     const std::string text = word(keyword, what);
     const std::string bound = open ? "> " : ">= ";
-    if (!utils::is_double(text))
+    const auto value = number_of(text);
+    if (!value)
       lmp->error->all(FLERR, at, "pair_style sph/solid: {} of {} is '{}': expected a number {}{}",
                       what, keyword, text, bound, least);
-    const double value = std::stod(text);
-    if (!(open ? value > least : value >= least))
+    if (!(open ? *value > least : *value >= least))
       lmp->error->all(FLERR, at, "pair_style sph/solid: {} of {} is {}: expected a number {}{}",
-                      what, keyword, value, bound, least);
-    return value;
+                      what, keyword, *value, bound, least);
+    return *value;
   }
 
   [[noreturn]] void unknown(const std::string &keyword, const std::string &value,

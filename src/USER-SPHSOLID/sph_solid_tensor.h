@@ -62,20 +62,6 @@ template <int D> inline Tensor<D> of_lane(const Tensor<D, Pack> &t, int lane)
 
 static constexpr int VOIGT[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 
-template <int D> inline Tensor<D> symmetric_from_six(const double *six)
-{
-  Tensor<D> t;
-  for (int a = 0; a < D; ++a)
-    for (int b = 0; b < D; ++b) t(a, b) = six[VOIGT[a][b]];
-  return t;
-}
-
-template <int D> inline void six_from_symmetric(const Tensor<D> &t, double *six)
-{
-  for (int a = 0; a < D; ++a)
-    for (int b = a; b < D; ++b) six[VOIGT[a][b]] = t(a, b);
-}
-
 }    // namespace SPHSolid
 
 #endif

@@ -100,6 +100,22 @@ INSTANTIATE_TEST_SUITE_P(
              "end of the input"},
         Case{"rho0_word", "* * inline rho0 heavy",
              "pair_coeff * * sph/solid: the value of keyword rho0 is 'heavy': expected a number"},
+        Case{"rho0_too_large", "* * inline rho0 1e400",
+             "pair_coeff * * sph/solid: the value of keyword rho0 is '1e400': expected a number"},
+        Case{"shear_too_small", "* * inline shear 1e-400",
+             "the value of keyword shear is '1e-400': expected a number"},
+        Case{"bulk_modulus_infinite",
+             "* * inline rho0 1 eos mie-gruneisen 1e300 1 1 shear 1 strength elastic",
+             "the bulk modulus is inf: expected a material whose constants are finite"},
+        Case{"bulk_modulus_zero",
+             "* * inline rho0 1 eos mie-gruneisen 1e-300 1 1 shear 1 strength elastic",
+             "the bulk modulus is 0: expected a value > 0"},
+        Case{"shock_line_infinite",
+             "* * inline rho0 1 eos mie-gruneisen 1 1e200 1 shear 1 strength elastic",
+             "the stiffness of the shock line is inf: expected a material whose constants are "
+             "finite"},
+        Case{"young_infinite", "* * inline rho0 1 eos linear 1e200 shear 1e200 strength elastic",
+             "the Young's modulus is inf: expected a material whose constants are finite"},
         Case{"rho0_missing", "* * inline" + REST,
              "pair_coeff * * sph/solid: density rho0 is 0: expected a value > 0"},
         Case{"rho0_negative", "* * inline rho0 -1" + REST,
@@ -239,6 +255,34 @@ TEST(Card, MaterialLineWithoutNameIsRefused)
 {
   EXPECT_THAT(pair_coeff("* * " + write_file("card", CARD_HEAD + "material\n rho0 1\n") + " one"),
               HasSubstr("expected 'material NAME', found 'material'"));
+}
+
+TEST(Card, KeywordsBeforeTheFirstMaterialAreRefused)
+{
+  const std::string path = write_file("card", CARD_HEAD + "\nrho0 1 # lost\n" + CARD);
+  EXPECT_THAT(
+      pair_coeff("* * " + path + " one"),
+      HasSubstr("card '" + path + "', line 3: 'rho0' stands before the first 'material NAME' ("));
+}
+
+TEST(Card, SecondMaterialOfOneNameIsRefused)
+{
+  const std::string path =
+      write_file("card", CARD_HEAD + CARD + "material one\n strength perfect 1\n");
+  for (const std::string name : {"one", "two"})
+    EXPECT_THAT(pair_coeff("* * " + path + " " + name),
+                HasSubstr("card '" + path +
+                          "', line 11: a second material 'one', the first is in line 3: expected "
+                          "each name once ("));
+}
+
+TEST(Card, NumberOutOfRangeIsRefused)
+{
+  const std::string path = write_file("card", CARD_HEAD + "material one\n rho0 1e400\n");
+  EXPECT_THAT(pair_coeff("* * " + path + " one"),
+              HasSubstr("card '" + path +
+                        "': the value of keyword rho0 is '1e400': expected a "
+                        "number ("));
 }
 
 TEST(Card, ErrorInsideNamesTheCard)

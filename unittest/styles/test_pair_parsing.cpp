@@ -90,6 +90,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"h_zero", "0", "smoothing length h of pair_style is 0: expected a number > 0"},
         Case{"h_negative", "-1", "smoothing length h of pair_style is -1: expected a number > 0"},
         Case{"h_nan", "nan", "smoothing length h of pair_style is 'nan': expected a number > 0"},
+        Case{"h_too_large", "1e400",
+             "smoothing length h of pair_style is '1e400': expected a number > 0"},
+        Case{"h_too_small", "1e-400",
+             "smoothing length h of pair_style is '1e-400': expected a number > 0"},
+        Case{"a1_too_large", "1 viscosity monaghan 1e400 1",
+             "a1 of viscosity monaghan is '1e400': expected a number >= 0"},
         Case{"keyword", "1 viscous none",
              "unknown keyword 'viscous': expected viscosity, gradient, tensile, frame, hourglass, "
              "distortion or energy"},
