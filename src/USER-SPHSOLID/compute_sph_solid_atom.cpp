@@ -82,6 +82,7 @@ void ComputeSPHSolidAtom::init()
 
 void ComputeSPHSolidAtom::compute_peratom()
 {
+  pair = PairSPHSolid::find_ready(lmp, "Compute sph/solid/atom");
   invoked_peratom = update->ntimestep;
   if (atom->nmax > nmax) {
     nmax = atom->nmax;

@@ -69,6 +69,7 @@ double ComputeSPHSolidEnergy::compute_scalar()
 
 void ComputeSPHSolidEnergy::compute_vector()
 {
+  pair = PairSPHSolid::find_ready(lmp, "Compute sph/solid/energy");
   invoked_vector = update->ntimestep;
   std::vector<double> pending(atom->nlocal + 1, 0.0);
   if (auto *fix = FixSPHSolid::leader(lmp)) fix->pending_heat(pending.data());

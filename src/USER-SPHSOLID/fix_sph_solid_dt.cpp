@@ -19,6 +19,7 @@
 #include "modify.h"
 #include "output.h"
 #include "pair_sph_solid.h"
+#include "sph_solid_points.h"
 #include "update.h"
 
 #include <cmath>
@@ -26,6 +27,9 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+
+// beyond it no body has been stable for long (see the page of this fix)
+static constexpr double LARGEST_COURANT_NUMBER = 1.5;
 
 /* ----------------------------------------------------------------------
    fix ID group sph/solid/dt <every> <cfl>|auto [max v] [min v]
@@ -65,7 +69,7 @@ FixSPHSolidDt::FixSPHSolidDt(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   global_freq = 1;
   extscalar = 0;
   dynamic_group_allow = 1;
-  warned = false;
+  warned = warned_cfl = false;
 }
 
 int FixSPHSolidDt::setmask()
@@ -84,6 +88,12 @@ void FixSPHSolidDt::init()
 
 void FixSPHSolidDt::setup(int)
 {
+  if (cfl > LARGEST_COURANT_NUMBER && !warned_cfl && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix sph/solid/dt: cfl is {:.6g}, more than elastic bodies bear: expected auto "
+                   "or a number up to {}",
+                   cfl, LARGEST_COURANT_NUMBER);
+  warned_cfl = true;
   if (!pair->has_resumed()) end_of_step();
 }
 
@@ -96,6 +106,8 @@ void FixSPHSolidDt::end_of_step()
   double mine = pair->time_step_limit();
   double dt = 0.0;
   MPI_Allreduce(&mine, &dt, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (dt >= SPHSolid::NO_LIMIT)    // no particles
+    return take(dt_max > 0.0 ? dt_max : update->dt);
   dt *= cfl > 0.0 ? cfl : pair->usual_courant_number();
   if (!std::isfinite(dt) || dt <= 0.0)
     error->all(
@@ -113,7 +125,11 @@ void FixSPHSolidDt::end_of_step()
     warned = true;
     dt = dt_min;
   }
+  take(dt);
+}
 
+void FixSPHSolidDt::take(double dt)
+{
   if (dt == update->dt) return;
   update->update_time();
   update->dt = dt;

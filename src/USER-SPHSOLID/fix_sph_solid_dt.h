@@ -37,7 +37,9 @@ class FixSPHSolidDt : public Fix {
   class PairSPHSolid *pair;
   double cfl;               // 0: what the pair style's frame takes usually
   double dt_max, dt_min;    // 0: no limit
-  bool warned;
+  bool warned, warned_cfl;
+
+  void take(double);
 };
 
 }    // namespace LAMMPS_NS

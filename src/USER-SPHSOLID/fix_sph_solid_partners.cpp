@@ -40,11 +40,16 @@ static constexpr double LARGEST_SHARE = 0.45;
 // lengths are the same if they differ by less than this share: input scripts round them
 static constexpr double SAME = 1.0e-6;
 
+static bool same(double a, double b)
+{
+  return std::fabs(a - b) <= SAME * std::max(a, b);
+}
+
 /* ---------------------------------------------------------------------- */
 
 FixSPHSolidPartners::FixSPHSolidPartners(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), xref(nullptr), vref(nullptr), npartner(nullptr), self(nullptr),
-    partner(nullptr), dim(domain->dimension)
+    Fix(lmp, narg, arg), xref(nullptr), vref(nullptr), gone(nullptr), npartner(nullptr),
+    self(nullptr), partner(nullptr), href(nullptr), dim(domain->dimension)
 {
   restart_peratom = 1;
   restart_global = 1;
@@ -73,6 +78,8 @@ FixSPHSolidPartners::~FixSPHSolidPartners()
   memory->destroy(npartner);
   memory->destroy(self);
   memory->destroy(partner);
+  memory->destroy(href);
+  if (gone) *gone = true;
 }
 
 int FixSPHSolidPartners::setmask()
@@ -116,7 +123,7 @@ void FixSPHSolidPartners::widen(int n)
     partner = wider;
     maxpartner = n;
   }
-  maxexchange = maxpartner + 3 + dim;
+  maxexchange = maxpartner + 4 + dim;
 }
 
 void FixSPHSolidPartners::forget(int groupbit)
@@ -164,26 +171,31 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h)
                  "... compress no, no reset_atoms id)",
                  atom->tag[i], self[i]);
 
+  // of particles, and not of types: they can get another type as well
+  bool partners = false;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (npartner[i] <= 0) continue;
+    partners = true;
+    const int t = atom->type[i];
+    if (!same(h[t], href[i]))
+      error->one(FLERR, Error::NOLASTLINE,
+                 "sph/solid, frame lagrangian: the smoothing length of type {} is {:.6g} and was "
+                 "{:.6g} in the reference of its particle {}: expected the same, or fix_modify ... "
+                 "reference renew",
+                 t, h[t], href[i], atom->tag[i]);
+  }
+
   std::vector<double> now(3, 0.0);
   for (int d = 0; d < domain->dimension; d++)
     if (domain->periodicity[d]) now[d] = domain->prd[d];
-  now.insert(now.end(), h.begin() + 1, h.end());
-  std::vector<int> mine(now.size(), 0), used(now.size(), 0);    // by a particle with partners?
-  for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] > 0) mine[2 + atom->type[i]] = mine[0] = mine[1] = mine[2] = 1;
-  MPI_Allreduce(mine.data(), used.data(), static_cast<int>(used.size()), MPI_INT, MPI_MAX, world);
-  if (lengths.size() != now.size()) lengths = now;
-  for (std::size_t k = 0; k < now.size(); k++) {
-    if (used[k] && std::fabs(now[k] - lengths[k]) > SAME * std::max(now[k], lengths[k]))
-      error->all(
-          FLERR, Error::NOLASTLINE,
-          "sph/solid, frame lagrangian: {} is {:.8g} and was {:.8g} in the reference: expected "
-          "the same, or fix_modify ... reference renew",
-          k < 3 ? fmt::format("the length of the box along {} (0: not periodic)", "xyz"[k])
-                : fmt::format("the smoothing length of type {}", k - 2),
-          now[k], lengths[k]);
-    if (!used[k]) lengths[k] = now[k];
-  }
+  if (!on_any_rank(partners) || lengths.size() != now.size()) lengths = now;
+  for (int d = 0; d < 3; d++)
+    if (!same(now[d], lengths[d]))
+      error->all(FLERR, Error::NOLASTLINE,
+                 "sph/solid, frame lagrangian: the length of the box along {} (0: not periodic) is "
+                 "{:.8g} and was {:.8g} in the reference: expected the same, or fix_modify ... "
+                 "reference renew",
+                 "xyz"[d], now[d], lengths[d]);
 }
 
 /* ----------------------------------------------------------------------
@@ -191,7 +203,8 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h)
    none: partners are all others of them inside the kernel
 ------------------------------------------------------------------------- */
 
-void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag)
+void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag,
+                                const std::vector<double> &h)
 {
   drop_reused_ids();
   nchanges++;
@@ -222,6 +235,7 @@ void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag)
     std::copy(found.begin(), found.end(), partner[i]);
     npartner[i] = static_cast<int>(found.size());
     self[i] = atom->tag[i];
+    href[i] = static_cast<float>(h[atom->type[i]]);
   }
   for (int i = 0; i < atom->nlocal; i++) npartner[i] = std::max(npartner[i], 0);
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) vref[i] = std::fabs(vref[i]);
@@ -457,15 +471,74 @@ double FixSPHSolidPartners::largest_distance() const
   return std::sqrt(all);
 }
 
+// the same without ghosts: who has a particle that is a partner elsewhere tells where it is
+
+double FixSPHSolidPartners::largest_distance_by_id() const
+{
+  auto own_of = [this](tagint of) {
+    const int i = where(of);
+    return i < atom->nlocal ? i : -1;
+  };
+  auto once = [](std::vector<tagint> &ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  };
+  std::vector<tagint> wanted;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++)
+      if (own_of(partner[i][k]) < 0) wanted.push_back(partner[i][k]);
+  once(wanted);
+  std::vector<tagint> all = of_all_ranks(wanted);
+  once(all);
+
+  const std::size_t n = all.size();
+  std::vector<double> mine(4 * n, 0.0), places(4 * n, 0.0);    // the fourth: is there one?
+  for (std::size_t k = 0; k < n; k++) {
+    const int i = own_of(all[k]);
+    if (i < 0) continue;
+    std::copy(atom->x[i], atom->x[i] + 3, &mine[4 * k]);
+    mine[4 * k + 3] = 1.0;
+  }
+  MPI_Allreduce(mine.data(), places.data(), static_cast<int>(4 * n), MPI_DOUBLE, MPI_SUM, world);
+
+  double most = 0.0, most_all = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++) {
+      const tagint of = partner[i][k];
+      const int j = own_of(of);
+      const double *place = j >= 0 ? atom->x[j] : nullptr;
+      if (!place) {
+        const auto at = std::lower_bound(all.begin(), all.end(), of) - all.begin();
+        if (places[4 * at + 3] == 0.0) continue;    // it has been deleted
+        place = &places[4 * at];
+      }
+      most = std::max(most, square_of_distance(atom->x[i], place));
+    }
+  MPI_Allreduce(&most, &most_all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return std::sqrt(most_all);
+}
+
+// of the nearest images
+
+double FixSPHSolidPartners::square_of_distance(const double *a, const double *b) const
+{
+  double r2 = 0.0;
+  for (int d = 0; d < 3; d++) {
+    double apart = a[d] - b[d];
+    if (domain->periodicity[d]) apart -= domain->prd[d] * std::rint(apart / domain->prd[d]);
+    r2 += apart * apart;
+  }
+  return r2;
+}
+
 bool FixSPHSolidPartners::follows_partners() const
 {
   return comm->nprocs > 1 || periodic();
 }
 
-void FixSPHSolidPartners::cover()
+void FixSPHSolidPartners::cover(double distance)
 {
-  if (!follows_partners()) return;
-  const double distance = largest_distance() + 0.5 * neighbor->skin;    // ghosts lag one step
+  distance += 0.5 * neighbor->skin;    // ghosts lag one step
   if (distance < comm->get_comm_cutoff()) return;
   comm->cutghostuser = COVER_MORE * distance;
   if (comm->me == 0)
@@ -479,8 +552,9 @@ void FixSPHSolidPartners::cover()
 
 void FixSPHSolidPartners::pre_exchange()
 {
+  if (!follows_partners()) return;
   const double before = comm->cutghostuser;
-  cover();
+  cover(largest_distance());
   if (comm->cutghostuser == before) return;
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
@@ -488,7 +562,15 @@ void FixSPHSolidPartners::pre_exchange()
 
 void FixSPHSolidPartners::post_run()
 {
-  cover();
+  if (follows_partners()) cover(largest_distance());
+}
+
+// before the first borders of a run: partners may have come apart by a command, or on the one rank
+// of the run that wrote the restart file
+
+void FixSPHSolidPartners::setup_pre_exchange()
+{
+  if (follows_partners()) cover(largest_distance_by_id());
 }
 
 /* ----------------------------------------------------------------------
@@ -500,6 +582,7 @@ void FixSPHSolidPartners::grow_arrays(int nmax)
   memory->grow(npartner, nmax, "sph/solid:npartner");
   memory->grow(self, nmax, "sph/solid:self");
   memory->grow(partner, nmax, maxpartner, "sph/solid:partner");
+  memory->grow(href, nmax, "sph/solid:href");
   memory->grow(xref, nmax, dim, "sph/solid:xref");
   memory->grow(vref, nmax, "sph/solid:vref");
 }
@@ -508,6 +591,7 @@ void FixSPHSolidPartners::copy_arrays(int i, int j, int)
 {
   npartner[j] = npartner[i];
   self[j] = self[i];
+  href[j] = href[i];
   for (int k = 0; k < npartner[i]; k++) partner[j][k] = partner[i][k];
   for (int k = 0; k < dim; k++) xref[j][k] = xref[i][k];
   vref[j] = vref[i];
@@ -517,6 +601,7 @@ void FixSPHSolidPartners::set_arrays(int i)
 {
   npartner[i] = -1;
   self[i] = 0;
+  href[i] = 0.0f;
   for (int k = 0; k < dim; k++) xref[i][k] = 0.0;
   vref[i] = 0.0;
 }
@@ -526,6 +611,7 @@ int FixSPHSolidPartners::pack_row(int i, double *buf) const
   int m = 0;
   buf[m++] = ubuf(npartner[i]).d;
   buf[m++] = ubuf(self[i]).d;
+  buf[m++] = href[i];
   for (int k = 0; k < npartner[i]; k++) buf[m++] = ubuf(partner[i][k]).d;
   for (int k = 0; k < dim; k++) buf[m++] = xref[i][k];
   buf[m++] = vref[i];
@@ -537,6 +623,7 @@ int FixSPHSolidPartners::unpack_row(int i, const double *buf)
   int m = 0;
   npartner[i] = static_cast<int>(ubuf(buf[m++]).i);
   self[i] = static_cast<tagint>(ubuf(buf[m++]).i);
+  href[i] = static_cast<float>(buf[m++]);
   for (int k = 0; k < npartner[i]; k++) partner[i][k] = static_cast<tagint>(ubuf(buf[m++]).i);
   for (int k = 0; k < dim; k++) xref[i][k] = buf[m++];
   vref[i] = buf[m++];
@@ -590,12 +677,12 @@ void FixSPHSolidPartners::unpack_forward_comm(int n, int first, double *buf)
 
 int FixSPHSolidPartners::size_restart(int i)
 {
-  return 4 + dim + std::max(npartner[i], 0);
+  return 5 + dim + std::max(npartner[i], 0);
 }
 
 int FixSPHSolidPartners::maxsize_restart()
 {
-  return 4 + dim + maxpartner;
+  return 5 + dim + maxpartner;
 }
 
 int FixSPHSolidPartners::pack_restart(int i, double *buf)
@@ -611,11 +698,12 @@ void FixSPHSolidPartners::unpack_restart(int i, int nth)
   int m = 0;
   for (int k = 0; k < nth; k++) m += static_cast<int>(extra[m]);
   const int n = static_cast<int>(ubuf(extra[m + 1]).i);
-  if (static_cast<int>(extra[m]) != 4 + dim + std::max(n, 0))
+  const int expected = 5 + dim + std::max(n, 0);
+  if (static_cast<int>(extra[m]) != expected)
     error->one(FLERR, Error::NOLASTLINE,
                "sph/solid, frame lagrangian: the restart file has {} numbers for the reference of "
                "particle {}, expected {}: it was written by another version of the package",
-               static_cast<int>(extra[m]), atom->tag[i], 4 + dim + std::max(n, 0));
+               static_cast<int>(extra[m]), atom->tag[i], expected);
   widen(n);
   unpack_row(i, extra + m + 1);
 }
@@ -643,7 +731,8 @@ void FixSPHSolidPartners::restart(char *buf)
 double FixSPHSolidPartners::memory_usage()
 {
   double bytes = (double) atom->nmax *
-      (sizeof(int) + (dim + 1) * sizeof(double) + (1 + maxpartner) * sizeof(tagint));
+      (sizeof(int) + sizeof(float) + (dim + 1) * sizeof(double) +
+       (1 + maxpartner) * sizeof(tagint));
   bytes += (double) index.capacity() * sizeof(int) + (double) row.capacity() * sizeof(int *);
   bytes += (double) (own.capacity() + count.capacity()) * sizeof(int);
   return bytes;

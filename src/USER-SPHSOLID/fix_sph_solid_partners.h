@@ -35,11 +35,13 @@ class FixSPHSolidPartners : public Fix {
  public:
   double **xref;    // reference position, as many numbers as dimensions, own and ghost [length]
   double *vref;     // reference volume, own and ghost [length^D]
+  bool *gone;       // somebody's flag, set when this fix is deleted; nullptr: nobody's
 
   FixSPHSolidPartners(class LAMMPS *, int, char **);
   ~FixSPHSolidPartners() override;
   int setmask() override;
   void init() override;
+  void setup_pre_exchange() override;
   void pre_exchange() override;
   void post_run() override;
   void write_restart(FILE *) override;
@@ -50,9 +52,9 @@ class FixSPHSolidPartners : public Fix {
   // stop unless IDs, box and smoothing lengths (of types, from 1) are those of the reference
   void require_same(const std::vector<double> &h);
   // give those without one the present configuration; list: full neighbor list,
-  // setflag[t][t]: has type t a material
+  // setflag[t][t]: has type t a material; h: smoothing lengths of types, from 1
   bool anyone_without() const;
-  void refer(class NeighList *list, double **cutsq, int **setflag);
+  void refer(class NeighList *list, double **cutsq, int **setflag, const std::vector<double> &h);
   // local indices of the partners of own particles, in the order of IDs; setup:
   // partners may have been deleted before
   void find(bool setup, int **setflag);
@@ -90,10 +92,11 @@ class FixSPHSolidPartners : public Fix {
   int *npartner;       // number of partners, -1: no reference yet
   tagint *self;        // own ID in the reference
   tagint **partner;    // their IDs, ascending
+  float *href;         // smoothing length: in single precision another one is still another one
   const int dim;
   int nchanges;
   int maxpartner;    // columns of partner
-  // lengths that belong to the reference: the box, 0 where it is not periodic; then h of types
+  // lengths of the box that belong to the reference, 0 where it is not periodic
   std::vector<double> lengths;
 
   // local view, valid until particles move between ranks
@@ -117,8 +120,10 @@ class FixSPHSolidPartners : public Fix {
   void drop(std::vector<tagint> &gone);
   bool periodic() const;
   double largest_distance() const;
+  double largest_distance_by_id() const;
+  double square_of_distance(const double *a, const double *b) const;
   bool follows_partners() const;
-  void cover();
+  void cover(double distance);
   int near_image(int i, int j) const;
 };
 

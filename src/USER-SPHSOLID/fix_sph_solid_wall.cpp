@@ -70,11 +70,7 @@ FixSPHSolidWall::FixSPHSolidWall(LAMMPS *lmp, int narg, char **arg) :
     error->all(FLERR, 6, "Fix sph/solid/wall: found '{}' after the last argument", arg[6]);
   if (dim == 2 && domain->dimension == 2)
     error->all(FLERR, 3, "Fix sph/solid/wall: side {} does not exist in two dimensions", arg[3]);
-  if (domain->periodicity[dim])
-    error->all(FLERR, 3,
-               "Fix sph/solid/wall: the box is periodic across side {}: expected a "
-               "boundary f, s or m",
-               arg[3]);
+  require_open_box(3);
 
   scalar_flag = vector_flag = 1;
   size_vector = 3;
@@ -86,6 +82,17 @@ FixSPHSolidWall::FixSPHSolidWall(LAMMPS *lmp, int narg, char **arg) :
   added = true;
 }
 
+// where: of the message in the input line
+
+void FixSPHSolidWall::require_open_box(int where) const
+{
+  if (domain->periodicity[dim])
+    error->all(FLERR, where,
+               "Fix sph/solid/wall: the box is periodic across side {}{}: expected a boundary f, s "
+               "or m",
+               "xyz"[dim], normal > 0.0 ? "lo" : "hi");
+}
+
 int FixSPHSolidWall::setmask()
 {
   return INITIAL_INTEGRATE | POST_FORCE;
@@ -94,6 +101,7 @@ int FixSPHSolidWall::setmask()
 void FixSPHSolidWall::init()
 {
   pair = PairSPHSolid::find(lmp, "Fix sph/solid/wall");
+  require_open_box(Error::NOLASTLINE);    // change_box may have come since
   reactions.clear();
   dt_used = 0.0;
 }
@@ -113,6 +121,8 @@ void FixSPHSolidWall::setup(int)
 void FixSPHSolidWall::reset_dt()
 {
   if (dt_used == 0.0) return;    // the setup is still to come
+  pair = PairSPHSolid::ready(lmp);
+  if (!pair) return;    // it is gone, and the next run will say so
   // in the middle of a kick, only if it must be: the heat of its halves is that of one force
   const double ratio = update->dt / dt_used, most = kicked ? LONGER : 1.0;
   if (ratio <= most && ratio >= 1.0 / most) return;

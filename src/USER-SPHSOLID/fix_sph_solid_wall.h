@@ -81,6 +81,7 @@ class FixSPHSolidWall : public Fix {
   void constrain(Phase);
   bool all_pass(const Step &, int first) const;
   void constrain(const Step &, int i);
+  void require_open_box(int where) const;
   void require_in_front() const;
 };
 

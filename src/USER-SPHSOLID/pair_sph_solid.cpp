@@ -65,7 +65,7 @@ static constexpr int OVERLOAD_EVERY = 20;
 
 PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
     Pair(lmp), options(nullptr), types(nullptr), own(nullptr), sweeps(nullptr), kept(nullptr),
-    partners(nullptr)
+    partners(nullptr), partners_gone(false)
 {
   if (lmp->citeme) lmp->citeme->add(cite_sph_solid);
   single_enable = 0;
@@ -108,6 +108,7 @@ PairSPHSolid::~PairSPHSolid()
 
 void PairSPHSolid::compute(int eflag, int vflag)
 {
+  require_partners();
   ev_init(eflag, vflag);
   if (vflag_atom || cvflag_atom)
     error->all(FLERR, Error::NOLASTLINE,
@@ -172,7 +173,7 @@ void PairSPHSolid::new_neighbors(bool setup)
       // LAMMPS keeps the stencil of bins that have become others in the same step
       if (list->np && list->np->ns) list->np->ns->last_stencil = -1;
       neighbor->build_one(list);
-      partners->refer(list, cutsq, setflag);
+      partners->refer(list, cutsq, setflag, smoothing_lengths());
       empty_list();
     }
     partners->find(setup, setflag);
@@ -265,22 +266,35 @@ NeighborRows PairSPHSolid::rows() const
 void PairSPHSolid::create_partners()
 {
   want_map();
-  if (!partners)
-    partners = dynamic_cast<FixSPHSolidPartners *>(
-        modify->add_fix(std::string(PARTNERS_ID) + " all SPH/SOLID/PARTNERS"));
+  require_partners();
+  if (partners) return;
+  partners = dynamic_cast<FixSPHSolidPartners *>(
+      modify->add_fix(std::string(PARTNERS_ID) + " all SPH/SOLID/PARTNERS"));
+  partners->gone = &partners_gone;
 }
 
 void PairSPHSolid::delete_partners()
 {
-  if (partners && modify->get_fix_by_id(PARTNERS_ID)) modify->delete_fix(PARTNERS_ID);
+  if (partners && !partners_gone) modify->delete_fix(PARTNERS_ID);
   partners = nullptr;
+  partners_gone = false;
   resonance_of = 0;
+}
+
+void PairSPHSolid::require_partners() const
+{
+  if (partners_gone)
+    error->all(FLERR, Error::NOLASTLINE,
+               "Pair style sph/solid, frame lagrangian: fix {} has been deleted: expected it to "
+               "stay, since it holds the reference of all particles",
+               PARTNERS_ID);
 }
 
 void PairSPHSolid::renew_reference(int groupbit)
 {
   if (options->frame != Frame::LAGRANGIAN)
     error->all(FLERR, "Fix_modify reference: frame eulerian has no reference configuration");
+  require_partners();
   if (partners) partners->forget(groupbit);
 }
 
@@ -370,6 +384,7 @@ Particles PairSPHSolid::particles() const
   p.stress = own->stress;
   p.epl = own->epl;
   p.rho_weight = own->rho_weight;
+  require_partners();
   if (partners) {
     p.xref = partners->xref;
     p.vref = partners->vref;

@@ -109,6 +109,10 @@ class PairSPHSolid : public Pair {
 
   // the one pair style sph/solid of a run; caller: who asks, for the message
   static PairSPHSolid *find(class LAMMPS *, const char *caller);
+  // the same between runs, when it may be gone or new: one that a run has set up, or nullptr
+  static PairSPHSolid *ready(class LAMMPS *);
+  // that one, or stop
+  static PairSPHSolid *find_ready(class LAMMPS *, const char *caller);
 
  private:
   SPHSolid::Options *options;
@@ -118,6 +122,7 @@ class PairSPHSolid : public Pair {
   SPHSolid::Ledger *kept;    // energy ledger, while the sweeps are built anew
 
   class FixSPHSolidPartners *partners;    // of the Lagrangian frame, else nullptr
+  bool partners_gone;                     // somebody has deleted that fix
 
   SPHSolid::Message message;    // what the next one carries
   bool message_of_sweeps;       // else it is velocities at the half step
@@ -142,6 +147,7 @@ class PairSPHSolid : public Pair {
   void fill_unset_state();
   void require_state();
   void require_plausible_state();
+  void warn_odd_densities();
   void measure_spacing();
   void collect_planes();
   void want_map();
@@ -149,6 +155,7 @@ class PairSPHSolid : public Pair {
   std::vector<double> smoothing_lengths() const;
   void create_partners();
   void delete_partners();
+  void require_partners() const;
   void new_neighbors(bool);
   void log_uncorrected();
   void empty_list();

@@ -26,6 +26,7 @@
 #include "sph_solid_sweeps.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -34,6 +35,30 @@ using namespace SPHSolid;
 
 // a mass that differs by more than this factor from volume times density is worth a warning
 static constexpr double ODD_MASS = 2.0;
+
+// and so is a density that differs by more than this share from mass over volume where nothing has
+// happened yet
+static constexpr double ODD_DENSITY = 0.1;
+
+// between runs pair_style commands can take the pair style away or make a new one
+
+PairSPHSolid *PairSPHSolid::ready(LAMMPS *lmp)
+{
+  auto *pair = dynamic_cast<PairSPHSolid *>(lmp->force->pair_match("sph/solid", 1));
+  return pair && pair->sweeps ? pair : nullptr;
+}
+
+PairSPHSolid *PairSPHSolid::find_ready(LAMMPS *lmp, const char *caller)
+{
+  PairSPHSolid *pair = ready(lmp);
+  if (!pair)
+    lmp->error->all(FLERR, Error::NOLASTLINE,
+                    "{} needs pair style sph/solid as a run has set it up: expected it to stay, or "
+                    "a 'run 0' with the new one before",
+                    caller);
+  pair->require_partners();
+  return pair;
+}
 
 void PairSPHSolid::require_environment()
 {
@@ -47,13 +72,10 @@ void PairSPHSolid::require_environment()
                units);
   if (update->whichflag == 2)
     error->all(FLERR, "Pair style sph/solid carries a history and cannot be minimized");
-  if (!options) error->all(FLERR, "Pair style sph/solid has no settings");
-  for (int i = 1; i <= atom->ntypes; i++)
-    if (!setflag[i][i] && !force->pair_match("^hybrid", 0))
-      error->all(FLERR,
-                 "Pair style sph/solid: type {0} has no material: expected pair_coeff {0} {0} "
-                 "<file> <material>",
-                 i);
+  if (!(update->dt >= 0.0))
+    error->all(FLERR,
+               "Pair style sph/solid: the time step is {}: expected timestep with a value > 0",
+               update->dt);
 }
 
 /* ----------------------------------------------------------------------
@@ -164,6 +186,45 @@ void PairSPHSolid::require_plausible_state()
                    "volume times the density of their material: it has been set before (atom style "
                    "sphere does so), and is used as it is",
                    all);
+  warn_odd_densities();
+}
+
+// they are pressure without a cause.  A body that begins under pressure has such densities as well,
+// but a tenth is more than solids are prepared with
+
+void PairSPHSolid::warn_odd_densities()
+{
+  int mine = 0, all = 0;
+  tagint first = MAXTAGINT, first_all = 0;
+  double numbers[2] = {}, numbers_all[2] = {};    // of the first: density, mass over volume
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *s = own->stress[i];
+    const double at_rest = reference_density(atom->rmass[i], atom->vfrac[i]);
+    if (!has_material(i) || std::fabs(atom->rho[i] - at_rest) <= ODD_DENSITY * at_rest) continue;
+    if (own->epl[i] != 0.0 || atom->esph[i] != 0.0) continue;
+    if (std::any_of(s, s + 6, [](double component) {
+          return component != 0.0;
+        }))
+      continue;
+    mine++;
+    if (atom->tag[i] > first) continue;
+    first = atom->tag[i];
+    numbers[0] = atom->rho[i];
+    numbers[1] = at_rest;
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+  if (!all) return;
+  MPI_Allreduce(&first, &first_all, 1, MPI_LMP_TAGINT, MPI_MIN, world);
+  if (first != first_all) numbers[0] = numbers[1] = 0.0;
+  MPI_Allreduce(numbers, numbers_all, 2, MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me == 0)
+    error->warning(
+        FLERR,
+        "sph/solid: {} particles begin under pressure: their density is not mass over "
+        "volume, at particle {} it is {:.6g} and not {:.6g}. Densities stay what they are "
+        "when a mass or volume is set after the first run; 'set ... sph/rho 0' takes "
+        "them anew",
+        all, first_all, numbers_all[0], numbers_all[1]);
 }
 
 // when atoms moved between ranks or were added: everything has its state

@@ -260,13 +260,27 @@ void PairSPHSolid::read_restart(FILE *fp)
   }
 }
 
+// settings and materials are written as they lie in memory: a number to change with them, and sizes
+
+static constexpr int LAYOUT[3] = {1, sizeof(Options), sizeof(Material)};
+
 void PairSPHSolid::write_restart_settings(FILE *fp)
 {
+  fwrite(LAYOUT, sizeof(int), 3, fp);
   fwrite(options, sizeof(Options), 1, fp);
 }
 
 void PairSPHSolid::read_restart_settings(FILE *fp)
 {
+  int layout[3];
+  if (comm->me == 0) utils::sfread(FLERR, layout, sizeof(int), 3, fp, nullptr, error);
+  MPI_Bcast(layout, 3, MPI_INT, 0, world);
+  if (!std::equal(layout, layout + 3, LAYOUT))
+    error->all(FLERR,
+               "Pair style sph/solid: the settings in the restart file have layout {} with {} and "
+               "{} bytes, expected {} with {} and {}: the file was written by another version of "
+               "the package. Go on with that one, or from a data file",
+               layout[0], layout[1], layout[2], LAYOUT[0], LAYOUT[1], LAYOUT[2]);
   if (comm->me == 0) utils::sfread(FLERR, options, sizeof(Options), 1, fp, nullptr, error);
   MPI_Bcast(options, sizeof(Options), MPI_BYTE, 0, world);
   comm_forward = LARGEST_MESSAGE;

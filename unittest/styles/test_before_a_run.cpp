@@ -88,6 +88,57 @@ TEST(WarnsBeforeARun, OfVolumesThatChangeAfterTheMasses)
               HasSubstr(std::string("WARNING: sph/solid: the mass of 1 particles ") + MASSES));
 }
 
+const char PRESSED[] = "begin under pressure: their density is not mass over volume";
+
+TEST(WarnsBeforeARun, OfDensitiesOfAnotherMass)
+{
+  for (const std::string &frame : FRAMES) {
+    Session s;
+    s(small(frame).script());
+    s("run 0\nset atom 7 mass 0.0088\nrun 0");
+    EXPECT_THAT(s.log(),
+                HasSubstr(std::string("WARNING: sph/solid: 1 particles ") + PRESSED +
+                          ", at particle 7 it is 7850 and not 8800. Densities stay what they are "
+                          "when a mass or volume is set after the first run; 'set ... sph/rho 0' "
+                          "takes them anew"))
+        << frame;
+    Session t;
+    t(small(frame).script());
+    t("run 0\nset atom 7 mass 0.0088\nset atom 7 sph/rho 0\nrun 0");
+    EXPECT_THAT(t.log(), Not(HasSubstr("WARNING"))) << frame;
+    EXPECT_NEAR(t.particle(7).rho, 8800.0, 1.0e-9);
+  }
+}
+
+// a start under pressure, and what a run has done
+
+TEST(WarnsBeforeARun, NotOfDensitiesThatBelong)
+{
+  Session s;
+  s(body().script());
+  s("set group all sph/rho 8200\nrun 0");
+  EXPECT_THAT(s.log(), Not(HasSubstr(PRESSED)));
+  s("run 20\nset group all sph/rho 9000\nrun 0");
+  EXPECT_THAT(s.log(), Not(HasSubstr(PRESSED)));
+}
+
+TEST(WarnsBeforeARun, OfACourantNumberThatNoBodyBears)
+{
+  const std::string says = "WARNING: Fix sph/solid/dt: cfl is 3, more than elastic bodies bear: "
+                           "expected auto or a number up to 1.5";
+  for (const char *cfl : {"3.0", "1.5", "auto"}) {
+    Block b = body();
+    b.fixes = "fix move all sph/solid\nfix step all sph/solid/dt 1 " + std::string(cfl) + "\n";
+    Session s;
+    s(b.script());
+    s("run 0\nrun 0");
+    const std::string log = s.log();
+    const auto first = log.find(says);
+    EXPECT_EQ(first != std::string::npos, std::string(cfl) == "3.0") << cfl;
+    EXPECT_EQ(log.rfind(says), first);    // once
+  }
+}
+
 // the kernel ends at 2h
 
 TEST(WarnsBeforeARun, OfAKernelThatEndsBeforeTheNextParticle)

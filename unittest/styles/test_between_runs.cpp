@@ -174,6 +174,54 @@ TEST(ChangedSmoothingLength, IsRefusedAfterARestart)
   EXPECT_THAT(s.error("run 1"), HasSubstr(OTHER_H));
 }
 
+// of particles that get another type
+
+const std::string TWO_TYPES = "pair_style sph/solid 1.3e-3 frame lagrangian\n"
+                              "pair_coeff 1 1 " +
+    std::string(IRON) + "pair_coeff 2 2 inline h " + "1.45e-3 " + std::string(IRON).substr(7);
+
+std::string with_two_types()
+{
+  std::string script = body().script();
+  const std::string box = "create_box 1 box", pair = body().interaction();
+  script.replace(script.find(box), box.size(), "create_box 2 box");
+  script.replace(script.find(pair), pair.size(), TWO_TYPES + NEIGHBOR);
+  return script;
+}
+
+const char H_OF_TYPE_2[] = "the smoothing length of type 2 is 0.00145 and was 0.0013 in the "
+                           "reference of its particle 20";
+
+TEST(ChangedType, OfAnotherSmoothingLengthIsRefused)
+{
+  Session s;
+  s(with_two_types());
+  s("run 20\nset atom 20 type 2");
+  EXPECT_THAT(s.error("run 1"), HasSubstr(H_OF_TYPE_2));
+  s("set atom 20 type 1\nrun 1\nset atom 20 type 2\nfix_modify move reference renew\nrun 1");
+}
+
+TEST(ChangedType, OfAnotherSmoothingLengthIsRefusedAfterARestart)
+{
+  const std::string path = file("type.restart");
+  {
+    Session s;
+    s(with_two_types());
+    s("run 20\nset atom 20 type 2\nwrite_restart " + path);
+  }
+  Session s;
+  s("read_restart " + path + "\n" + NEIGHBOR + MOVE);
+  EXPECT_THAT(s.error("run 1"), HasSubstr(H_OF_TYPE_2));
+}
+
+TEST(ChangedType, OfTheSameSmoothingLengthRuns)
+{
+  Session s;
+  s(with_two_types());
+  s("run 20\nset atom 20 type 2\npair_coeff 2 2 " + std::string(IRON) + "run 20");
+  EXPECT_EQ(s.value("step"), 40.0);
+}
+
 TEST(ChangedSmoothingLength, IsTakenWithANewReference)
 {
   for (const bool renew_first : {false, true}) {
@@ -256,6 +304,84 @@ TEST(SamePairStyleCommand, AfterARestartChangesNothing)
   Session s;
   s("read_restart " + path + "\n" + body().interaction() + MOVE + "run 20");
   expect_bitwise(run(body(), "run 40"), s.state());
+}
+
+/* ----------------------------------------------------------------------
+   the pair style goes away, or what it keeps
+------------------------------------------------------------------------- */
+
+const char ZERO[] = "pair_style zero 0.003\npair_coeff * *\n";
+const std::string ENERGIES = "compute e all sph/solid/energy\ncompute p all sph/solid/atom p e\n"
+                             "compute sum all reduce sum c_p[1]\nthermo_style custom step c_e "
+                             "c_sum\n";
+
+TEST(PairStyleThatIsGone, LeavesTimestepAlone)
+{
+  Block b = body();
+  b.fixes += "fix floor all sph/solid/wall ylo 0\n";
+  for (const std::string &next : {std::string(ZERO), ZERO + b.interaction()}) {
+    Session s;
+    s(b.script());
+    s("run 20\n" + next + "timestep 1e-9");
+    EXPECT_EQ(s.value("dt"), 1.0e-9);
+  }
+}
+
+TEST(PairStyleThatIsGone, HasNoEnergies)
+{
+  for (const std::string &next : {std::string(ZERO), ZERO + body().interaction()}) {
+    Session s;
+    s(body().script());
+    s(ENERGIES + "run 20\n" + next);
+    EXPECT_THAT(s.error("print $(c_e)"),
+                HasSubstr("Compute sph/solid/energy needs pair style sph/solid as a run has set it "
+                          "up"));
+    EXPECT_THAT(s.error("print $(c_p[5][1])"),
+                HasSubstr("Compute sph/solid/atom needs pair style sph/solid as a run has set it "
+                          "up"));
+  }
+}
+
+TEST(PairStyleThatIsGone, AndComesBackHasEnergies)
+{
+  Session s;
+  s(body().script());
+  s(ENERGIES + "run 20");
+  const double before = s.value("c_sum");
+  s(ZERO + body().interaction() + "run 0");
+  EXPECT_NEAR(s.value("c_sum"), before, 1.0e-6 * std::fabs(before));
+}
+
+const char GONE[] = "fix SPHSOLID_PARTNERS has been deleted: expected it to stay";
+
+TEST(DeletedPartners, StopTheNextRun)
+{
+  for (const std::string command :
+       {"run 1", "run 1 pre no", "fix_modify move reference renew", "write_restart no.restart"}) {
+    Session s;
+    s(body().script());
+    s("run 20\nunfix SPHSOLID_PARTNERS");
+    EXPECT_THAT(s.error(command), HasSubstr(GONE)) << command;
+  }
+}
+
+TEST(DeletedPartners, StopTheComputes)
+{
+  Session s;
+  s(body().script());
+  s(ENERGIES + "run 20\nunfix SPHSOLID_PARTNERS");
+  EXPECT_THAT(s.error("print $(c_e)"), HasSubstr(GONE));
+}
+
+TEST(DeletedPartners, AreNotMissedInTheOtherFrame)
+{
+  Block other = body();
+  other.frame = "eulerian";
+  Session s;
+  s(body().script());
+  s("run 20\nunfix SPHSOLID_PARTNERS\n" + other.interaction() + "run 1\n" + body().interaction() +
+    "run 1");
+  EXPECT_EQ(s.value("step"), 22.0);
 }
 
 /* ----------------------------------------------------------------------

@@ -133,6 +133,21 @@ TEST(Refused, WallAcrossAPeriodicBoundary)
                 "f, s or m"));
 }
 
+TEST(Refused, WallAcrossABoundaryThatBecomesPeriodic)
+{
+  EXPECT_THAT(
+      refusal(small(), "fix lid all sph/solid/wall yhi 0.01\nchange_box all boundary p p p\n"),
+      HasSubstr("Fix sph/solid/wall: the box is periodic across side yhi: expected a boundary f, s "
+                "or m"));
+}
+
+TEST(Refused, NegativeTimeStep)
+{
+  EXPECT_THAT(refusal(small(), "unfix step\ntimestep -1e-9\n"),
+              HasSubstr("Pair style sph/solid: the time step is -1e-09: expected timestep with a "
+                        "value > 0"));
+}
+
 TEST(Refused, ParticleBehindTheWall)
 {
   EXPECT_THAT(

@@ -246,6 +246,29 @@ TEST(RanksOfTheLagrangianFrame, FollowStretchedPartners)
   }
 }
 
+// a restart file of one rank, which needs no ghosts, or a command has brought partners apart
+
+TEST(RanksOfTheLagrangianFrame, ReachPartnersThatAreApartFromTheStart)
+{
+  const std::string path = shared_file("stretched.restart");
+  const State reference =
+      alone(ribbon() + "run 5000\nunfix stop\nwrite_restart " + path + "\nrun 5\n");
+  const std::string fixes = "fix move all sph/solid\nfix hold all setforce 0 NULL NULL\n"
+                            "fix step all sph/solid/dt 1 0.5\n";
+  Session s;
+  s("read_restart " + path + "\nneighbor 0.0001 bin\n" + fixes + "run 5\n");
+  expect_bitwise(reference, s.state());
+  if (first_rank() && ranks() > 1)
+    EXPECT_THAT(log_of(s), HasSubstr("sph/solid: ghost cutoff enlarged to "));
+}
+
+TEST(RanksOfTheLagrangianFrame, ReachPartnersThatACommandHasMoved)
+{
+  const std::string script = ribbon() + "run 5\nvariable dx atom 1.5*(x-0.0065)\n" +
+      "displace_atoms all move v_dx 0 0 units box\nrun 5\n";
+  expect_bitwise(alone(script), together(script));
+}
+
 // stretched sideways and moving through the boundary
 
 TEST(RanksOfTheLagrangianFrame, AgreeOnAPeriodicBar)

@@ -221,6 +221,28 @@ TEST(Restart, GoesOnWithAnotherPairStyleCommand)
   EXPECT_EQ(s.value("step"), 60.0);
 }
 
+// the smoothing length is the first of the settings, behind the number of their layout and two sizes
+
+TEST(Restart, OfAnotherVersionIsRefused)
+{
+  const std::string path = file("version.restart");
+  {
+    Session s;
+    s(rod());
+    s("run 1\nwrite_restart " + path);
+  }
+  std::string content = read_file(path);
+  const double h = 1.3e-3;
+  const auto at = content.find(std::string(reinterpret_cast<const char *>(&h), sizeof(h)));
+  ASSERT_NE(at, std::string::npos);
+  for (const int of : {12, 8, 4}) {
+    content[at - of]++;
+    Session s;
+    EXPECT_THAT(s.error("read_restart " + write_file("other_version.restart", content)),
+                HasSubstr("Pair style sph/solid: the settings in the restart file have layout 2"));
+  }
+}
+
 /* ----------------------------------------------------------------------
    data files: everything but the stress and the plastic strain
 ------------------------------------------------------------------------- */

@@ -96,6 +96,34 @@ INSTANTIATE_TEST_SUITE_P(Steps, ChangedTimeStep, testing::Values(1, 4, 5, 6, 10)
                            return "after" + std::to_string(info.param);
                          });
 
+/* ----------------------------------------------------------------------
+   nobody is left whom a time step could be too long for
+------------------------------------------------------------------------- */
+
+TEST(TimeStepOfNoParticles, StaysAsItIs)
+{
+  for (const std::string &frame : FRAMES) {
+    Session s;
+    s(body(frame, "fix step all sph/solid/dt 1 0.3\n").script());
+    s("run 5");
+    const double dt = s.value("dt");
+    s("delete_atoms group all\nrun 5");
+    EXPECT_EQ(s.value("dt"), dt);
+  }
+}
+
+TEST(TimeStepOfNoParticles, IsTheLargestOne)
+{
+  for (const std::string &frame : FRAMES) {
+    Session s;
+    s(body(frame, "fix step all sph/solid/dt 1 0.3 max 1e-6\n").script());
+    s("run 5");
+    EXPECT_LT(s.value("dt"), 0.9e-6);
+    s("delete_atoms group all\nrun 5");
+    EXPECT_EQ(s.value("dt"), 1.0e-6);
+  }
+}
+
 // the same step once more is no change
 
 TEST(SameTimeStep, BetweenRunsChangesNothing)
