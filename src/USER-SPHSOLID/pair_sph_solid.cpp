@@ -31,6 +31,7 @@
 #include "nstencil.h"
 #include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
+#include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
 #include "update.h"
@@ -183,10 +184,24 @@ void PairSPHSolid::new_neighbors(bool setup)
   if (partners) {
     id.assign(atom->tag, atom->tag + p.nall);
     p.id = id.data();
+    if (setup) sweeps->unlike = has_unlike_materials();
   }
   sweeps->new_neighbors(p, rows(), largest_cutoff() + neighbor->skin);
   if (partners && partners->forget_rows()) give_back_freed_memory();
   if (refers) log_uncorrected();
+}
+
+// on any rank, so that pairs are the same seen from both sides, and all runs on any number of ranks.
+// In a run nothing of it changes
+
+bool PairSPHSolid::has_unlike_materials() const
+{
+  Likeness mine, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (has_material(i)) mine.add(types[atom->type[i]], atom->rmass[i], partners->vref[i]);
+  all.density = over_ranks(mine.density, world);
+  all.impedance = over_ranks(mine.impedance, world);
+  return all.unlike(*options);
 }
 
 void PairSPHSolid::log_uncorrected()

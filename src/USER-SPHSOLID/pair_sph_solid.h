@@ -158,6 +158,7 @@ class PairSPHSolid : public Pair {
   void require_partners() const;
   void new_neighbors(bool);
   void log_uncorrected();
+  bool has_unlike_materials() const;
   void empty_list();
   void sort_rows();
   static void give_back_freed_memory();

@@ -53,7 +53,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
       PointSweeps<D>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
-      at_along(safe() ? X : at_da)
+      at_along(safe() ? X : at_da), at_rho(at_da + (needs_correction() ? D : 0))
   {
   }
 
@@ -93,18 +93,19 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   // components of a column: positions, velocities (for heat: displacements), positions in the
   // reference, V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
   // hourglass/2 rho c_L h, bulk sound speed, density that viscosity sees, n of the correction or the
-  // switch of a viscosity; then, if a scene needs them, the rate of deformation and the viscous
-  // acceleration
+  // switch of a viscosity; then, if a scene needs them, the rate of deformation, the viscous
+  // acceleration and, where materials are unlike, the density in the reference
   static constexpr int X = 0, V = D, REFERENCE = 2 * D, WEIGHT = 3 * D, T = WEIGHT + 1,
                        IMPEDANCE = T + D * D, SOUND = IMPEDANCE + 1, DENSITY = SOUND + 1,
                        LAST = DENSITY + 1, FIXED = LAST + 1, SYMMETRIC = D * (D + 1) / 2,
-                       MOST = FIXED + SYMMETRIC + D;
+                       MOST = FIXED + SYMMETRIC + D + 1;
   static constexpr int NEXT = Columns::NEXT;
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
   static constexpr int at_rate = FIXED;
   const int at_da;
   const int at_along;    // what the correction's force on a pair is along
-  int components() const { return at_da + (needs_correction() ? D : 0); }
+  const int at_rho;
+  int components() const { return at_rho + (this->unlike ? 1 : 0); }
 
   Columns columns;
   // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
@@ -143,6 +144,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   std::vector<double> place_references(const Particles &, const NeighborRows &) const;
   void unwrap_references(const Particles &, const NeighborRows &, std::vector<double> &) const;
   void size_storage(int gathered);
+  void place_densities(const Particles &);
   struct Arranging;
   template <class Call> void each_arranging(const Arranging &, Call);
 
@@ -348,7 +350,8 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   Pack standard_power(const double *i, Pack mass) const;
 
   template <PairForm FORM, bool HOURGLASS> void force_blocks(const Particles &);
-  template <PairForm FORM, bool HOURGLASS>
+  template <PairForm FORM, bool HOURGLASS, bool UNLIKE> void force_each(const Particles &);
+  template <PairForm FORM, bool HOURGLASS, bool UNLIKE>
   void force_block(const Particles &, int block, const Batch &, Totals &);
 
   // the part of a pair's viscous force that is heat as it is: a compatible correction heats in a

@@ -388,12 +388,26 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
     columns.set(column_of[row], REFERENCE, &reference[row * D], D);
     columns.set(column_of[row], WEIGHT, p.vref[source_of(row)] * unit_factor);
   }
+  if (this->unlike) place_densities(p);
   nuncorrected = 0;
   each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
     arranging.fill(block, gathered[block]);
   });
   slots.constants.end();
   near_weight.end();
+}
+
+// in the reference; behind the last particle the last one again
+
+template <int D> void LagrangianSweeps<D>::place_densities(const Particles &p)
+{
+  for (std::size_t row = 0; row < column_of.size(); row++) {
+    if (column_of[row] < 0) continue;
+    const int i = source_of(static_cast<int>(row));
+    columns.set(column_of[row], at_rho, p.mass[i] / p.vref[i]);
+  }
+  for (int column = static_cast<int>(own.size()); column < end_of_own; column++)
+    columns.set(column, at_rho, columns.get(column - 1, at_rho));
 }
 
 // an order of columns that leaves few places in slots empty, and whether rows are worth having,

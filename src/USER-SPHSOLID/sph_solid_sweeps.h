@@ -19,6 +19,8 @@
 #include "sph_solid_material.h"
 #include "sph_solid_viscosity.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -133,6 +135,7 @@ class Sweeps {
   HeatDue due;                // for the next gradient sweep, which adds it to p.e and clears it
   bool limits_step = true;    // will time_step_limit() be asked for?
   bool keeps_heat = false;    // the share of v is to be found: only where can_keep_heat()
+  bool unlike = false;        // lagrangian: do materials differ (Likeness)?  Before new_neighbors()
 
   // neighbor lists are new: find images, size the storage.  reach: largest
   // cutoff with skin
@@ -212,6 +215,38 @@ inline double reference_density(double mass, double volume)
 {
   return mass / volume;
 }
+
+// the least and the largest of positive numbers, which differ by more than rounding or not
+
+struct Range {
+  double least = HUGE_VAL, most = 0.0;
+  void add(double value)
+  {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  bool wide() const { return most > (1.0 + 1.0e-12) * least; }
+};
+
+// Viscosity and hourglass damping of the Lagrangian frame take the harmonic mean of densities and
+// impedances, so that what a heavy particle does to a light one is at most twice what another light one
+// would do.  Where all are alike that is the arithmetic mean, which costs no division
+
+struct Likeness {
+  Range density, impedance;    // in the reference
+  void add(const TypeData &type, double mass, double reference_volume)
+  {
+    const Material &m = type.material;
+    const double rho = mass / reference_volume, modulus = m.bulk_modulus() + 4.0 / 3.0 * m.shear;
+    density.add(rho);
+    impedance.add(std::sqrt(rho * modulus) * type.h);
+  }
+  bool unlike(const Options &o) const
+  {
+    const bool viscous = o.viscosity != Viscosity::NONE;
+    return (viscous && density.wide()) || (o.hourglass > 0.0 && impedance.wide());
+  }
+};
 
 }    // namespace SPHSolid
 

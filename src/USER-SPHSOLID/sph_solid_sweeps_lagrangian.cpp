@@ -182,8 +182,19 @@ template <int D>
 template <PairForm FORM, bool HOURGLASS>
 void LagrangianSweeps<D>::force_blocks(const Particles &p)
 {
+  constexpr bool MEANS = FORM != PairForm::NONE || HOURGLASS;
+  if (MEANS && this->unlike)
+    force_each<FORM, HOURGLASS, MEANS>(p);
+  else
+    force_each<FORM, HOURGLASS, false>(p);
+}
+
+template <int D>
+template <PairForm FORM, bool HOURGLASS, bool UNLIKE>
+void LagrangianSweeps<D>::force_each(const Particles &p)
+{
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
-    force_block<FORM, HOURGLASS>(p, block, batch, t);
+    force_block<FORM, HOURGLASS, UNLIKE>(p, block, batch, t);
   });
   Totals::add(early_totals, totals);
 }
@@ -199,10 +210,13 @@ constexpr double LEAST_R2 = 1.0e-200;
 // J F^-T g, and (J F^-T g).x = J g.X where x = F X, whatever F is; rho J is rho0.
 // hourglass: c rho c_L h w_ij nu_ij with nu_ij the part along x_ij of
 // v_ij - (D_i+D_j)/2 x_ij, which no linear field contains, and
-// w_ij = -g_ij.X_ij/X_ij^2
+// w_ij = -g_ij.X_ij/X_ij^2.
+// of both particles, tr B/D is the arithmetic mean, rho0 and rho c_L h the harmonic one, 2ab/(a+b).  Where
+// all are alike at rest (UNLIKE is false) it is the arithmetic mean, too: for rho0 the same, for rho c_L h
+// more by a share of (a-b)^2/(a+b)^2
 
 template <int D>
-template <PairForm FORM, bool HOURGLASS>
+template <PairForm FORM, bool HOURGLASS, bool UNLIKE>
 void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch &batch,
                                       Totals &totals)
 {
@@ -214,6 +228,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   double *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double a1_of_sums = 0.25 * opt.a1, a2_of_sum = 0.5 * opt.a2;    // of both particles
+  const int rho0 = at_rho;
   const Pack zero(0.0), one(1.0), least_r2(LEAST_R2);
   Pack stress[D], central[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
@@ -239,7 +254,13 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
 
     const Components<D> d = motion(i, j);
     const Pack r2 = maximum(d.x_dot_x(), least_r2), vr = d.v_dot_x();
-    const Pack inv_r2 = 1.0 / r2;
+    // sums of both, and with one division 1/x^2 and 1 over the sums
+    Pack rhos = one, impedances = one;
+    if (UNLIKE && VISCOUS) rhos = component(i, rho0) + component(j, rho0);
+    if (HOURGLASS) impedances = component(i, IMPEDANCE) + component(j, IMPEDANCE);
+    const Pack sums = HOURGLASS ? rhos * impedances : rhos;
+    const Pack inverse = 1.0 / (UNLIKE ? r2 * sums : r2);
+    const Pack inv_r2 = UNLIKE ? inverse * sums : inverse;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {
       li = stretching(i, d.x);
@@ -247,7 +268,9 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     } else if (RATES)
       li = stretching(i, j, d.x);
     if (HOURGLASS) {
-      const Pack impedance = component(i, IMPEDANCE) + component(j, IMPEDANCE);
+      Pack impedance = impedances;
+      if (UNLIKE)
+        impedance = 4.0 * component(i, IMPEDANCE) * component(j, IMPEDANCE) * (inverse * r2 * rhos);
       const Pack rest = multiply_add(BOTH ? li + lj : li, Pack(-0.5), vr);
       const Pack per_weight = impedance * f * rest * inv_r2;
       store(damping + k, per_weight);
@@ -260,7 +283,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       const Pack jump = jump_left<FORM>(vr, li, lj, on);
       const Pack mu =
           minimum(jump, zero) * load(constant + Slots::NEARNESS) * square_root(r2) * inv_r2;
-      const Pack rho = component(i, DENSITY) + component(j, DENSITY);
+      Pack rho = component(i, DENSITY) + component(j, DENSITY);    // twice the mean, with tr B/D
+      if (UNLIKE)
+        rho = 2.0 * (inverse * r2 * impedances) *
+            (component(i, rho0) * component(j, DENSITY) +
+             component(j, rho0) * component(i, DENSITY));
       const Pack c = component(i, SOUND) + component(j, SOUND);
       Pack Pi = rho * mu * (a2_of_sum * mu - a1_of_sums * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;

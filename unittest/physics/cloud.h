@@ -86,8 +86,10 @@ class Cloud {
   std::vector<Vector3d> xref;    // lagrangian
   std::vector<double> vref;
   double period = 0.0;    // lagrangian: length of the box along x, 0: not periodic
-  // a second type with another smoothing length, if it is not 0, and the particles of it
+  // a second type with another smoothing length, if it is not 0, or another material, and the particles
+  // of it
   double other_h = 0.0;
+  std::unique_ptr<Material> other_material;
   std::vector<int> others;
   double strange_spacing = 0.0;    // of the type that has no material
   std::unique_ptr<Sweeps> sweeps;
@@ -139,6 +141,20 @@ class Cloud {
   void move(const std::function<Vector3d(Vector3d)> &velocity)
   {
     for (int i = 0; i < size(); i++) v[i] = velocity(x[i]);
+  }
+
+  // these particles are of another material, times denser and with that speed of sound
+  void make_others(const std::vector<int> &which, double denser, double C)
+  {
+    others = which;
+    other_material = std::make_unique<Material>(material);
+    other_material->rho0 *= denser;
+    other_material->C = C;
+    other_material->shear *= denser * C * C;
+    for (const int i : which) {
+      mass[i] *= denser;
+      rho[i] *= denser;
+    }
   }
 
   // the present configuration becomes the reference
@@ -205,11 +221,17 @@ class Cloud {
     force.assign(3 * size(), 0.0);
     std::vector<TypeData> types = {TypeData(), {material, opt.h, spacing}};
     types[0].spacing = strange_spacing;
-    if (other_h > 0.0) types.push_back({material, other_h, spacing});
+    if (other_h > 0.0 || other_material)
+      types.push_back(
+          {other_material ? *other_material : material, other_h > 0.0 ? other_h : opt.h, spacing});
     sweeps = Sweeps::create(dim, opt, types);
     sweeps->nthreads = nthreads;
     sweeps->images.set_planes(planes);
     const Particles p = particles();
+    Likeness likeness;
+    for (int i = 0; lagrangian() && i < size(); i++)
+      likeness.add(types[p.type[i]], p.mass[i], p.vref[i]);
+    sweeps->unlike = likeness.unlike(opt);
     sweeps->new_neighbors(p, rows, 2.0 * largest_h());
     sweeps->pack_kinematics(p, pv.data());
     return sweeps->gradient(p, rows, dt);

@@ -25,6 +25,17 @@ TEST(LimitedViscosity, HeatsEveryParticle)
   }
 }
 
+// half of all particles, at random, become another material
+
+void mix(Cloud &c, double denser, double C)
+{
+  Noise noise(22);
+  std::vector<int> others;
+  for (int i = 0; i < c.size(); i++)
+    if (noise() > 0.0) others.push_back(i);
+  c.make_others(others, denser, C);
+}
+
 // a lattice that is smaller by the same factor along all axes, and turned, is what a kernel with a
 // smaller h would have made of it: whatever the velocities, viscous forces in the bulk are those of
 // the Eulerian frame (test_viscosity.cpp), times B, which that one does not have.  Kernel gradients
@@ -32,19 +43,23 @@ TEST(LimitedViscosity, HeatsEveryParticle)
 
 class LagrangianViscosity : public testing::TestWithParam<int> {};
 
-TEST_P(LagrangianViscosity, IsTheEulerianOneOfASmallerLattice)
+// denser: of two materials, mixed at random, the second is so many times denser than the first and has
+// another speed of sound
+
+void compare_with_a_smaller_lattice(int dim, double denser)
 {
-  const int dim = GetParam(), n = dim == 2 ? 15 : 13;
+  const int n = dim == 2 ? 15 : 13;
   const double smaller = 0.8;
   const Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(0, 0, 1)).toRotationMatrix();
   Cloud c = lattice(dim, n);
   const double B = dim / (moment(c, middle(c)).trace() - (3 - dim));
+  if (denser != 1.0) mix(c, denser, 0.5);
   c.refer();
   Noise noise(21);
   for (int i = 0; i < c.size(); i++) {
     c.x[i] = smaller * turn * c.x[i];
     c.v[i] = noise.vector(dim);
-    c.rho[i] = std::pow(smaller, -dim);
+    c.rho[i] *= std::pow(smaller, -dim);
   }
   c.opt.a1 = 1.0;
   c.opt.a2 = 2.0;
@@ -61,6 +76,86 @@ TEST_P(LagrangianViscosity, IsTheEulerianOneOfASmallerLattice)
   const Vector3d expected = B * viscous(Frame::EULERIAN, smaller * 1.3);
   EXPECT_GT(expected.norm(), 0.1 * B);
   EXPECT_LT((viscous(Frame::LAGRANGIAN, 1.3) - expected).norm(), 3e-7 * expected.norm() / B);
+}
+
+TEST_P(LagrangianViscosity, IsTheEulerianOneOfASmallerLattice)
+{
+  compare_with_a_smaller_lattice(GetParam(), 1.0);
+}
+
+TEST_P(LagrangianViscosity, IsTheEulerianOneOfTwoMaterials)
+{
+  for (double denser : {10.0, 100.0}) compare_with_a_smaller_lattice(GetParam(), denser);
+}
+
+// one particle moves in a lattice at rest.  Of the harmonic mean 2ab/(a+b) of what it has itself, a, and what
+// all others have, b = R a, is 2R/(1+R) a: so many times as large are the forces on it as among its own kind.
+// Speeds of sound are those of its own kind.  That one pulls with the material: it needs no viscosity
+
+TEST_P(LagrangianViscosity, HarmonicMeansOfAStranger)
+{
+  const int dim = GetParam();
+  auto on_stranger = [dim](double denser, bool hourglass) -> Vector3d {
+    Cloud c = lattice(dim, dim == 2 ? 11 : 9);
+    c.opt.frame = Frame::LAGRANGIAN;
+    c.opt.viscosity = hourglass ? Viscosity::NONE : Viscosity::MONAGHAN;
+    c.opt.hourglass = hourglass ? 0.3 : 0.0;
+    std::vector<int> others;
+    for (int i = 0; i < c.size(); i++)
+      if (i != middle(c)) others.push_back(i);
+    if (denser != 1.0) c.make_others(others, denser, 1.0);
+    c.v[middle(c)] = Vector3d(0.1, 0.2, dim == 3 ? 0.3 : 0.0);
+    c.evaluate();    // nothing has moved yet: no stress
+    return c.f(middle(c));
+  };
+  for (bool hourglass : {false, true}) {
+    const Vector3d alike = on_stranger(1.0, hourglass);
+    EXPECT_GT(alike.norm(), 0.01);
+    for (double denser : {0.01, 0.1, 10.0, 100.0}) {
+      const Vector3d expected = 2.0 * denser / (1.0 + denser) * alike;
+      EXPECT_LT((on_stranger(denser, hourglass) - expected).norm(), 1e-13 * expected.norm());
+    }
+  }
+}
+
+// conservation does not depend on which mean it is, nor does that every pair dissipates
+
+TEST_P(LagrangianViscosity, OfTwoMaterialsConservesAndDissipates)
+{
+  for (Viscosity viscosity : VISCOSITIES)
+    for (double hourglass : {0.0, 0.3}) {
+      Cloud c = body(GetParam(), 6);
+      mix(c, 100.0, 2.0);
+      c.opt.viscosity = viscosity;
+      c.opt.hourglass = hourglass;
+      c.refer();
+      deform(c, large(c.dim));
+      Noise noise(32);
+      c.stir(noise, 0.05);
+      c.evaluate(0.01);
+      EXPECT_LT(net_force(c), 1e-13);
+      const bool central = viscosity != Viscosity::CORRECT;
+      EXPECT_LT(central ? net_torque(c) : 0.0, 1e-13);
+      EXPECT_LT(energy_error(c, random_displacement(c, 6)), 1e-13);
+      if (viscosity == Viscosity::NONE || viscosity == Viscosity::CORRECT) continue;
+      for (double one : viscous_heat(c)) EXPECT_GE(one, -1e-14);
+    }
+}
+
+// densities that differ by rounding only, as after a mass that is a product, are alike
+
+TEST_P(LagrangianViscosity, RoundingMakesNoMaterialUnlike)
+{
+  Cloud c = shaken(GetParam(), 7);
+  c.opt.viscosity = Viscosity::MONAGHAN;
+  c.opt.hourglass = 0.3;
+  for (int i = 0; i < c.size(); i++) c.vref[i] = c.mass[i];
+  c.vref[3] *= 1.0 + 2e-15;
+  c.evaluate();
+  EXPECT_FALSE(c.sweeps->unlike);
+  c.vref[3] *= 1.0 + 1e-11;
+  c.evaluate();
+  EXPECT_TRUE(c.sweeps->unlike);
 }
 
 // a body turns that is deformed in any way, such as its kernel does not resolve: no particle comes

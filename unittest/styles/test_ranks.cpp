@@ -288,4 +288,29 @@ TEST(RanksOfTheLagrangianFrame, AgreeOnAPeriodicBar)
   EXPECT_GT(std::fabs(here[20].stress[0]), 1.0e7);
 }
 
+// two materials: that they are unlike is known to ranks that have one of them only
+
+TEST(RanksOfTheLagrangianFrame, AgreeOnTwoMaterials)
+{
+  for (const char *options :
+       {"viscosity correct hourglass 0.3", "viscosity monaghan 1 1 hourglass 0"}) {
+    Block b;
+    b.nx = 14;
+    b.ny = 6;
+    b.frame = "lagrangian";
+    b.boundary = "s s";
+    b.box = "-0.001 0.014 -0.001 0.006";
+    b.first = "processors * 1 1\n";
+    b.options = options;
+    b.motion = "reset_atoms id sort yes\nregion right block 0.0095 INF INF INF INF INF units box\n"
+               "set region right type 2\n"
+               "pair_coeff 2 2 inline rho0 200 eos linear 1e9 shear 0.5e9 strength elastic\n"
+               "variable vx atom -2e4*(x-0.0065)\nvelocity all set v_vx 0 0 units box\n";
+    std::string script = b.script();
+    const std::string one = "create_box 1";
+    script.replace(script.find(one), one.size(), "create_box 2");
+    expect_bitwise(alone(script + "run 60\n"), together(script + "run 60\n"));
+  }
+}
+
 }    // namespace
