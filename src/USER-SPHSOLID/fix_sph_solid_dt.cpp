@@ -103,7 +103,7 @@ void FixSPHSolidDt::setup(int)
 
 void FixSPHSolidDt::end_of_step()
 {
-  double mine = pair->time_step_limit();
+  double mine = cfl > 0.0 ? pair->time_step_limit() : pair->usual_time_step_limit();
   double dt = 0.0;
   MPI_Allreduce(&mine, &dt, 1, MPI_DOUBLE, MPI_MIN, world);
   if (dt >= SPHSolid::NO_LIMIT)    // no particles

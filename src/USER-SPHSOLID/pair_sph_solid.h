@@ -89,7 +89,8 @@ class PairSPHSolid : public Pair {
   bool moves(int) const;                      // does a fix sph/solid move own atom i?
   bool has_material(int) const;               // of own atom i: in a hybrid, others may have none
   double time_step_limit() const;             // own atoms, Courant number 1 [time]
-  // that of fix sph/solid/dt auto; want_courant_number() before a run, or it is not looked for
+  // those of fix sph/solid/dt auto; want_courant_number() before a run, or it is not looked for
+  double usual_time_step_limit() const;
   double usual_courant_number() const;
   void want_courant_number() { resonance_wanted = true; }
   std::uint64_t numerics_mark() const;    // a number that changes with the numerics
@@ -173,6 +174,7 @@ class PairSPHSolid : public Pair {
   bool resonance_wanted;
   std::uint64_t resonance_of;    // mark of the bodies that courant_number belongs to, 0: none
   double courant_number;
+  std::vector<double> limit_factors;    // of types, empty: all particles have the same h/c
   std::uint64_t mark_of_bodies() const;
   void find_courant_number();
   void measure_resonance();
@@ -180,6 +182,7 @@ class PairSPHSolid : public Pair {
   double vibration_norm(const std::vector<double> &) const;
   void elastic_forces(const std::vector<double> &u, std::vector<double> &f);
   void take_courant_number(double rate);
+  void find_limit_factors(double h_over_c);
 
   void forward(SPHSolid::Message);
   void add_box_velocity(int n, int size, const int *atoms, double *buf, const int *pbc) const;

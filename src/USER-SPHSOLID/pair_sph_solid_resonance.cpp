@@ -140,22 +140,46 @@ void PairSPHSolid::elastic_forces(const std::vector<double> &u, std::vector<doub
 
 void PairSPHSolid::take_courant_number(double rate)
 {
-  double mine = HUGE_VAL, h_over_c = HUGE_VAL;
+  Range mine;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!has_material(i)) continue;
     const TypeData &type = types[atom->type[i]];
     // with the density that the particle has in the reference, as time_step_limit() has it
     const double share = reference_density(atom->rmass[i], atom->vfrac[i]) / type.material.rho0;
-    mine = std::min(mine, type.h * std::sqrt(share) / type.material.longitudinal_speed());
+    mine.add(type.h * std::sqrt(share) / type.material.longitudinal_speed());
   }
-  MPI_Allreduce(&mine, &h_over_c, 1, MPI_DOUBLE, MPI_MIN, world);
-  const double stable = 2.0 / (std::sqrt(rate * force->ftm2v) * h_over_c);
+  const Range h_over_c = over_ranks(mine, world);
+  const double stable = 2.0 / (std::sqrt(rate * force->ftm2v) * h_over_c.least);
+  const double taken = std::floor(1000.0 * SAFETY * stable) / 1000.0;
   courant_number = LARGEST_COURANT_NUMBER;
-  if (std::isfinite(stable))
-    courant_number = std::min(courant_number, std::floor(1000.0 * SAFETY * stable) / 1000.0);
+  limit_factors.clear();
+  if (std::isfinite(stable)) {
+    courant_number = std::min(courant_number, taken);
+    if (h_over_c.wide()) find_limit_factors(taken / courant_number * h_over_c.least);
+  }
   if (comm->me == 0)
     utils::logmesg(lmp,
                    "sph/solid: the reference is stable up to a Courant number of {:.4g}, fix "
                    "sph/solid/dt auto takes {:.4g}\n",
                    stable, courant_number);
+}
+
+// Where materials differ nobody knows which of them vibrates fastest: it may be one that does not have
+// the least h/c.  So the step becomes shorter by as much as any particle's own h/c has become less than it
+// was in the reference: limits are multiplied by the least h/c over their own, h sqrt(m/V)/sqrt(K + 4/3 mu)
+
+void PairSPHSolid::find_limit_factors(double h_over_c)
+{
+  for (int t = 0; t <= atom->ntypes; t++) {
+    const Material &m = types[t].material;
+    const bool used = t > 0 && setflag[t][t];
+    limit_factors.push_back(
+        used ? h_over_c * std::sqrt(m.rho0) * m.longitudinal_speed() / types[t].h : 0.0);
+  }
+}
+
+double PairSPHSolid::usual_time_step_limit() const
+{
+  if (!partners || limit_factors.empty()) return time_step_limit();
+  return sweeps->scaled_time_step_limit(particles(), limit_factors);
 }

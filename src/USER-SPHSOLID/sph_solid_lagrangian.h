@@ -75,6 +75,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void elastic_stress(const Particles &) override;
   void elastic_force(const Particles &p) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
+  double scaled_time_step_limit(const Particles &, const std::vector<double> &) const override;
   void velocity(int i, double *v) const override;
   int neighbor_count(int i) const override;
   int uncorrected() const override { return nuncorrected; }
@@ -366,6 +367,7 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void find_weights();
   void safe_pulls(int block);
 
+  double least_limit(const Particles &, const double *factors) const;
   Pack room_left(const Tensors &Fi, int block) const;
   int neighbor(int slot, int block, int lane) const;
   Overload overload(int block) const;

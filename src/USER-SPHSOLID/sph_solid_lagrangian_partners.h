@@ -510,15 +510,34 @@ template <int D> int LagrangianSweeps<D>::neighbor_count(int i) const
    time step
 ------------------------------------------------------------------------- */
 
-// eigenvalues only where the bound could be the least of all
-
 template <int D>
 double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &) const
+{
+  return least_limit(p, nullptr);
+}
+
+template <int D>
+double LagrangianSweeps<D>::scaled_time_step_limit(const Particles &p,
+                                                   const std::vector<double> &factors) const
+{
+  return least_limit(p, factors.data());
+}
+
+// factors: of types, or null.  Eigenvalues only where the bound could be the least of all
+
+template <int D>
+double LagrangianSweeps<D>::least_limit(const Particles &p, const double *factors) const
 {
   const NeighborRows list = own_list();
   auto stretched = [](auto s) {
     using Real = decltype(s);
     return minimum(Real(1.0), maximum(Real(STEP_STRETCH), s));
+  };
+  auto share = [&](const Batch &batch) {
+    const Pack factor = Base::of_types(p, batch, [&](int t) {
+      return factors[t];
+    });
+    return minimum(factor * square_root(batch.load(p.volume) / batch.load(p.mass)), Pack(1.0));
   };
   return Base::least_of(blocks(), NO_LIMIT, [&](int first, int end) {
     double limit = NO_LIMIT;
@@ -526,9 +545,10 @@ double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRo
       const Batch batch(list, block * LANES);
       const double *i = columns.at(block * LANES);
       const Tensors Fi = load_tensors(F, block);
-      const Pack unstretched =
+      Pack unstretched =
           Base::step_limit(Base::smoothing_lengths(p, batch), Base::shear_moduli(p, batch),
                            batch.load(p.rho), component(i, SOUND), load(&mu_max[block * LANES]));
+      if (factors) unstretched *= share(batch);
       if (!(least(unstretched * stretched(stretch_bound<D>(Fi))) < limit)) continue;
       for (int m = 0; m < batch.n; m++)
         limit = std::min(limit, unstretched[m] * stretched(least_stretch<D>(of_lane<D>(Fi, m))));

@@ -192,6 +192,11 @@ class Sweeps {
 
   // per particle, own: for the time step and for output
   virtual double time_step_limit(const Particles &, const NeighborRows &) const = 0;
+  // lagrangian: times factor sqrt(V/m), V the initial volume, where that is less than 1; a factor per type
+  virtual double scaled_time_step_limit(const Particles &, const std::vector<double> &) const
+  {
+    return 0.0;
+  }
   virtual int neighbor_count(int i) const = 0;
   virtual double memory_usage() const = 0;
 

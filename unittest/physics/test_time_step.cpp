@@ -79,3 +79,25 @@ TEST(TimeStep, TheLeastOfAllWhereverItIs)
       EXPECT_NEAR(c.sweeps->time_step_limit(c.particles(), c.neighbors()), 1.3 * 0.4 / C_L, 1e-12);
     }
 }
+
+// of two materials, each with a factor of its own over the root of its density, which only shortens
+
+TEST(TimeStep, FactorsOfTypes)
+{
+  for (int dim : {2, 3}) {
+    Cloud c = lattice(dim, 6);
+    c.opt.frame = Frame::LAGRANGIAN;
+    c.opt.viscosity = Viscosity::NONE;
+    c.make_others({1, 2, 20, 35}, 4.0, 2.0);    // h/c is half of the others'
+    c.evaluate();
+    const double of_first = 1.3 / C_L, of_others = 0.5 * of_first;
+    auto limit = [&](double first, double others) {
+      return c.sweeps->scaled_time_step_limit(c.particles(), {0.0, first, others});
+    };
+    EXPECT_NEAR(c.sweeps->time_step_limit(c.particles(), c.neighbors()), of_others, 1e-15);
+    EXPECT_NEAR(limit(1.0, 2.0), of_others, 1e-15);
+    EXPECT_NEAR(limit(7.0, 7.0), of_others, 1e-15);
+    EXPECT_NEAR(limit(1.0, 1.0), 0.5 * of_others, 1e-15);
+    EXPECT_NEAR(limit(0.3, 2.0), 0.3 * of_first, 1e-15);
+  }
+}
