@@ -18,6 +18,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -65,6 +66,7 @@ AtomVecSPHSolid::AtomVecSPHSolid(LAMMPS *lmp) : AtomVec(lmp), own(nullptr)
     atom->add_peratom("sph_solid_epl", &own->epl, Atom::DOUBLE, 0);
     for (int k = 0; k < 3; k++) atom->add_peratom(VHALF[k], &own->vhalf[k], Atom::DOUBLE, 0);
     atom->add_peratom("sph_solid_rho_weight", &own->rho_weight, Atom::DOUBLE, 0);
+    atom->add_peratom("sph_solid_esph_half", &own->esph_half, Atom::DOUBLE, 0);
   } else
     own = registry[atom].get();
 
@@ -72,9 +74,17 @@ AtomVecSPHSolid::AtomVecSPHSolid(LAMMPS *lmp) : AtomVec(lmp), own(nullptr)
   // a new atom is all zero: the pair style takes mass and density from its card
   // what neighbors need every step travels in the pair style's own messages
 
-  const std::vector<std::string> state = {
-      "rmass",         "vfrac",  "rho",    "esph",   "sph_solid_stress",
-      "sph_solid_epl", VHALF[0], VHALF[1], VHALF[2], "sph_solid_rho_weight"};
+  const std::vector<std::string> state = {"rmass",
+                                          "vfrac",
+                                          "rho",
+                                          "esph",
+                                          "sph_solid_stress",
+                                          "sph_solid_epl",
+                                          VHALF[0],
+                                          VHALF[1],
+                                          VHALF[2],
+                                          "sph_solid_rho_weight",
+                                          "sph_solid_esph_half"};
 
   fields_grow = state;
   fields_copy = state;
@@ -119,6 +129,21 @@ void AtomVecSPHSolid::data_atom_post(int ilocal)
   for (int k = 0; k < 3; k++) own->vhalf[k][ilocal] = 0.0;
   own->epl[ilocal] = 0.0;
   own->rho_weight[ilocal] = 0.0;
+  own->esph_half[ilocal] = 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   a restart file has the energy that belongs to its positions and velocities
+------------------------------------------------------------------------- */
+
+void AtomVecSPHSolid::pack_restart_pre(int ilocal)
+{
+  if (own->swaps_energies) std::swap(atom->esph[ilocal], own->esph_half[ilocal]);
+}
+
+void AtomVecSPHSolid::pack_restart_post(int ilocal)
+{
+  pack_restart_pre(ilocal);
 }
 
 /* ----------------------------------------------------------------------

@@ -33,6 +33,11 @@ struct SPHSolidArrays {
   // components: one array of rows has a pointer to each besides [velocity]
   double *vhalf[3];
   double *rho_weight;    // density behind the volume weights of that evaluation [density]
+  // the internal energy per mass of the other time: half a step back while atom->esph has caught up
+  // with velocities (between runs); caught up while a restart file is written during a run, see
+  // FixSPHSolid.  Scratch otherwise [energy/mass]
+  double *esph_half;
+  bool swaps_energies = false;    // for a restart file the two energies change places
 };
 
 class AtomVecSPHSolid : virtual public AtomVec {
@@ -41,6 +46,8 @@ class AtomVecSPHSolid : virtual public AtomVec {
 
   void grow_pointers() override;
   void data_atom_post(int) override;
+  void pack_restart_pre(int) override;
+  void pack_restart_post(int) override;
   int property_atom(const std::string &) override;
   void pack_property_atom(int, double *, int, int) override;
 

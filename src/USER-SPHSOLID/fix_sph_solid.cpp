@@ -32,36 +32,29 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <numeric>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
 /* ---------------------------------------------------------------------- */
 
-FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), pair(nullptr)
+FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair(nullptr), own(nullptr)
 {
   if (narg != 3)
     error->all(FLERR, 3, "Fix sph/solid has no arguments after its style, found '{}'", arg[3]);
   time_integrate = 1;
   dynamic_group_allow = 1;
   restart_global = 1;
-  leading = heat_on_the_way = false;
+  leading = heat_on_the_way = continues = false;
+  caught_up = true;
   dt_pending = 0.0;
   fingerprint = 0;
 }
 
-FixSPHSolid::~FixSPHSolid()
-{
-  // unfix: nobody else knows what is due.  At the end of LAMMPS there is no force any more
-  if (due.empty() || !force) return;
-  pair = dynamic_cast<PairSPHSolid *>(force->pair_match("sph/solid", 1));
-  if (pair) take_up_due();
-}
-
 int FixSPHSolid::setmask()
 {
-  return INITIAL_INTEGRATE | FINAL_INTEGRATE | PRE_EXCHANGE;
+  return INITIAL_INTEGRATE | FINAL_INTEGRATE | PRE_EXCHANGE | PRE_FORCE;    // for setup_pre_force()
 }
 
 /* ---------------------------------------------------------------------- */
@@ -79,25 +72,24 @@ FixSPHSolid *FixSPHSolid::leader(LAMMPS *lmp)
 
 /* ----------------------------------------------------------------------
    a run that finds the state that the last one (or the restart file) left
-   behind continues it exactly; otherwise it starts from rest in time, with
-   the heat of the last half kick taken up
+   behind continues it exactly; otherwise it starts from rest in time
 ------------------------------------------------------------------------- */
 
 void FixSPHSolid::init()
 {
   pair = PairSPHSolid::find(lmp, "Fix sph/solid");
+  own = AtomVecSPHSolid::arrays(atom);
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Fix sph/solid works with run_style verlet, not with {}",
                update->integrate_style);
   leading = (leader(lmp) == this);
   require_masses();
   heat_on_the_way = leading && pair->keep_heat(moves_alone());
-  if (dt_pending > 0.0 && fingerprint != 0 && fingerprint == state_fingerprint())
+  continues = dt_pending > 0.0 && fingerprint != 0 && fingerprint == state_fingerprint(atom->esph);
+  if (continues)
     pair->continue_from_half_step();
-  else {
-    take_up_due();
+  else
     dt_pending = 0.0;
-  }
 }
 
 void FixSPHSolid::require_masses() const
@@ -161,54 +153,43 @@ void FixSPHSolid::setup(int)
                "Fix sph/solid: the box changes its size or shape and moves particles without a "
                "velocity, which gives no stress: expected fix deform ... remap v");
   if (!pair->has_resumed()) dt_pending = 0.0;
-  forget_due();
+}
+
+// a run begins: init() and setup_pre_exchange() are called by write_data, too
+
+void FixSPHSolid::setup_pre_force(int)
+{
+  if (continues) go_back();
+  caught_up = own->swaps_energies = false;
 }
 
 void FixSPHSolid::post_run()
 {
-  fingerprint = state_fingerprint();
   pair->keep_half_step();
-  if (leading && dt_pending > 0.0 && pair->has_energy()) keep_due();
-}
-
-// the heat of the last half kick, by IDs: commands between runs may delete particles and add others
-
-void FixSPHSolid::keep_due()
-{
-  due.swap(heat);    // which the next run makes anew
-  due.resize(atom->nlocal);
-  due_of.resize(atom->nlocal);
-  pending_heat(due.data());
-  for (int i = 0; i < atom->nlocal; i++)
-    due_of[i] = {atom->tag[i], static_cast<float>(atom->esph[i])};
-}
-
-void FixSPHSolid::forget_due()
-{
-  std::vector<double>().swap(due);
-  std::vector<Owner>().swap(due_of);
-}
-
-void FixSPHSolid::take_up_due()
-{
-  if (due.empty()) return;
-  std::vector<int> by_id(due.size());
-  std::iota(by_id.begin(), by_id.end(), 0);
-  std::sort(by_id.begin(), by_id.end(), [this](int a, int b) {
-    return due_of[a].id < due_of[b].id;
-  });
-  std::vector<double> energy(atom->nlocal + 1, 0.0);
-  for (int i = 0; i < atom->nlocal; i++) {
-    const auto at =
-        std::lower_bound(by_id.begin(), by_id.end(), atom->tag[i], [this](int a, tagint id) {
-          return due_of[a].id < id;
-        });
-    if (at == by_id.end() || due_of[*at].id != atom->tag[i]) continue;
-    // another energy: a new particle with the ID of one that is gone, or set
-    if (due_of[*at].e == static_cast<float>(atom->esph[i])) energy[i] = due[*at];
+  if (leading) {    // the first of all these fixes
+    catch_up();
+    std::swap_ranges(atom->esph, atom->esph + atom->nlocal, own->esph_half);
+    own->swaps_energies = false;
   }
-  take_up(energy.data());
-  forget_due();
+  caught_up = true;
+  fingerprint = state_fingerprint(atom->esph);
+}
+
+// energies that belong to the velocities, in esph_half
+
+void FixSPHSolid::catch_up()
+{
+  double *out = own->esph_half;
+  pending_heat(out);
+  for (int i = 0; i < atom->nlocal; i++)
+    out[i] = atom->esph[i] + (pair->has_material(i) ? out[i] / atom->rmass[i] : 0.0);
+}
+
+// to what the last step left behind
+
+void FixSPHSolid::go_back()
+{
+  if (leading && caught_up) std::copy_n(own->esph_half, atom->nlocal, atom->esph);
 }
 
 // fix_modify ID reference renew: the group's next run starts from the
@@ -222,28 +203,30 @@ int FixSPHSolid::modify_param(int narg, char **arg)
                narg < 2 ? "nothing" : arg[1]);
   auto *p = PairSPHSolid::find(lmp, "Fix_modify reference of fix sph/solid");
 
-  // the heat still due belongs to the forces of the old reference
-  if (auto *fix = leader(lmp)) fix->settle();
+  // the heat of the last half kick belongs to the forces of the old reference: the next run starts
+  // from rest in time
+  if (auto *fix = leader(lmp)) fix->dt_pending = 0.0;
   p->renew_reference(groupbit);
   return 2;
 }
 
-// a number that any change of a state or ID changes, and no change of order does.  Positions across
-// a periodic box change by its length in between and do not count
+// a number that any change of a state or ID changes, and no change of order does.  Positions in
+// single precision: commands that balance ranks or wrap particles round them
 
-std::uint64_t FixSPHSolid::state_fingerprint() const
+std::uint64_t FixSPHSolid::state_fingerprint(const double *esph) const
 {
-  const auto *own = AtomVecSPHSolid::arrays(atom);
   std::uint64_t mine = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     SPHSolid::Fingerprint print(static_cast<std::uint64_t>(atom->tag[i]));
     for (int k = 0; k < 3; k++) print.add(atom->v[i][k]);
-    for (int k = 0; k < 3; k++) print.add(domain->periodicity[k] ? 0.0 : atom->x[i][k]);
+    double x[3];
+    domain->unmap(atom->x[i], atom->image[i], x);
+    for (int k = 0; k < 3; k++) print.add(static_cast<float>(x[k]));
     for (int k = 0; k < 6; k++) print.add(own->stress[i][k]);
-    for (const double value :
-         {atom->rho[i], atom->esph[i], own->epl[i], atom->vfrac[i], atom->rmass[i]})
+    for (const double value : {atom->rho[i], esph[i], own->epl[i], atom->vfrac[i], atom->rmass[i]})
       print.add(value);
     print.add(atom->type[i]);
+    print.add(pair->moves(i) ? 1 : 0);
     mine += print.value();
   }
   return (SPHSolid::sum_over_ranks(mine, world) + pair->numerics_mark()) | 1;
@@ -258,6 +241,11 @@ std::uint64_t FixSPHSolid::state_fingerprint() const
 
 void FixSPHSolid::initial_integrate(int)
 {
+  if (caught_up) {    // run ... pre no: no setup
+    pair->require_current("A run with 'pre no'");
+    go_back();
+  }
+  caught_up = own->swaps_energies = false;
   if (leading && pair->has_energy()) {
     if (heat_on_the_way)
       pair->leave_heat(0.25 * (dt_pending + update->dt), update->dt);
@@ -330,37 +318,20 @@ void FixSPHSolid::add_to_moved(int first, int end, double **to, double *const *f
 
 void FixSPHSolid::add_heat()
 {
-  heat.resize(atom->nlocal);
-  const double dt1 = dt_pending, dt2 = update->dt;
-  pair->pair_heat(0.5 * (dt1 + dt2), 0.125 * (dt2 * dt2 - dt1 * dt1), heat.data(), true);
-  take_up(heat.data());
-}
-
-// energies of own particles become energies per mass
-
-void FixSPHSolid::take_up(const double *energy)
-{
-  double *e = atom->esph;
-  const double *mass = atom->rmass;
+  double *e = atom->esph, *energy = own->esph_half;
+  const double *mass = atom->rmass, dt1 = dt_pending, dt2 = update->dt;
   const int nlocal = atom->nlocal;
+  pair->pair_heat(0.5 * (dt1 + dt2), 0.125 * (dt2 * dt2 - dt1 * dt1), energy, true);
   SPHSolid::each_share(comm->nthreads, nlocal, [&](int first, int end) {
     for (int i = first; i < end; i++)
       if (pair->has_material(i)) e[i] += energy[i] / mass[i];
   });
 }
 
-// the next run starts from rest in time
-
-void FixSPHSolid::settle()
-{
-  take_up_due();
-  dt_pending = 0.0;
-}
-
 void FixSPHSolid::pending_heat(double *out) const
 {
   std::memset(out, 0, atom->nlocal * sizeof(double));
-  if (dt_pending == 0.0 || !pair->has_energy()) return;
+  if (caught_up || dt_pending == 0.0 || !pair->has_energy()) return;
   pair->require_current("The internal energy of sph/solid");
   pair->keep_half_step();
   pair->pair_heat(0.5 * dt_pending, -0.125 * dt_pending * dt_pending, out, false);
@@ -370,12 +341,22 @@ void FixSPHSolid::pending_heat(double *out) const
    restart: what this state needs to continue, and the energy ledger
 ------------------------------------------------------------------------- */
 
+// of the state as a restart file has it
+
+std::uint64_t FixSPHSolid::restart_fingerprint()
+{
+  if (caught_up) return state_fingerprint(atom->esph);
+  if (leading) catch_up();
+  own->swaps_energies = true;
+  return state_fingerprint(own->esph_half);
+}
+
 void FixSPHSolid::write_restart(FILE *fp)
 {
   double list[6] = {dt_pending, 0.0, 0.0, 0.0, 0.0, 0.0};
-  const std::uint64_t mark = pair ? state_fingerprint() : 0;
-  std::memcpy(&list[1], &mark, sizeof(mark));
   if (pair && dt_pending > 0.0) pair->keep_half_step();
+  const std::uint64_t mark = pair ? restart_fingerprint() : 0;
+  std::memcpy(&list[1], &mark, sizeof(mark));
   if (pair && leading) {
     const SPHSolid::Ledger &l = pair->ledger();
     double mine[4] = {l.plastic_work, l.viscous_heat, l.returned, l.hourglass};

@@ -23,16 +23,15 @@ FixStyle(sph/solid,FixSPHSolid);
 #include "fix.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace LAMMPS_NS {
 
 class FixSPHSolid : public Fix {
  public:
   FixSPHSolid(class LAMMPS *, int, char **);
-  ~FixSPHSolid() override;
   int setmask() override;
   void init() override;
+  void setup_pre_force(int) override;
   void setup(int) override;
   void initial_integrate(int) override;
   void pre_exchange() override;
@@ -42,7 +41,7 @@ class FixSPHSolid : public Fix {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  // atom->esph lags half a step behind x and v: the heat of that half step,
+  // during a run, atom->esph lags half a step behind x and v: the heat of that half step,
   // in energy per particle, for output (all own atoms)
   void pending_heat(double *) const;
 
@@ -57,31 +56,25 @@ class FixSPHSolid : public Fix {
 
  private:
   class PairSPHSolid *pair;
+  struct SPHSolidArrays *own;    // of the atom style
   bool leading;
-  bool heat_on_the_way;        // the heat of a step is left to the next force evaluation
-  double dt_pending;           // time step of the half kick that is not heated yet
-  std::vector<double> heat;    // of own atoms, scratch
+  bool heat_on_the_way;    // the heat of a step is left to the next force evaluation
+  double dt_pending;       // time step of the half kick that is not heated yet
 
-  // between runs: the heat of that half kick, and of which particles, with the energy they had then
-  struct Owner {
-    tagint id;
-    float e;    // [energy/mass]
-  };
-  std::vector<double> due;    // [energy]
-  std::vector<Owner> due_of;
-
-  std::uint64_t fingerprint;    // of the state when the last run ended
+  // between runs and in restart files nothing is pending: atom->esph has caught up, and what a run
+  // that continues goes on from is in the atom style's esph_half, which goes where a particle goes
+  bool caught_up;
+  bool continues;               // the next run finds the state that the last one left
+  std::uint64_t fingerprint;    // of that state
 
   static bool drives_box(const Fix *);
-  std::uint64_t state_fingerprint() const;
+  std::uint64_t state_fingerprint(const double *esph) const;
+  std::uint64_t restart_fingerprint();
   void require_masses() const;
-  void keep_due();
-  void take_up_due();
-  void forget_due();
+  void catch_up();
+  void go_back();
   bool moves_alone() const;
   void add_heat();
-  void take_up(const double *);
-  void settle();
   void kick(int first, int end, double dtf);
   template <class Factor>
   void add_to_moved(int first, int end, double **to, double *const *from, Factor);

@@ -21,6 +21,7 @@
 #include "comm.h"
 #include "error.h"
 #include "force.h"
+#include "neighbor.h"
 #include "sph_solid_eos.h"
 #include "sph_solid_fingerprint.h"
 #include "sph_solid_sweeps.h"
@@ -112,6 +113,15 @@ std::uint64_t PairSPHSolid::numerics_mark() const
     print.add(static_cast<int>(m.eos));
     print.add(static_cast<int>(m.strength));
   }
+  for (const Plane &plane : sweeps->images.all_planes()) {
+    print.add(plane.dim);
+    print.add(plane.position);
+  }
+  // neigh_modify exclude
+  for (int k = 0; k < neighbor->nex_type; k++)
+    for (const int type : {neighbor->ex1_type[k], neighbor->ex2_type[k]}) print.add(type);
+  for (int k = 0; k < neighbor->nex_group; k++)
+    for (const int group : {neighbor->ex1_group[k], neighbor->ex2_group[k]}) print.add(group);
   return print.value();
 }
 
@@ -129,6 +139,11 @@ void PairSPHSolid::require_energy(const char *what) const
 
 void PairSPHSolid::require_current(const char *what) const
 {
+  if (evaluated_own < 0)
+    error->all(FLERR, Error::NOLASTLINE,
+               "{} needs the forces of the last step, which a new run and commands such as "
+               "write_restart and write_data forget: expected a 'run 0' before",
+               what);
   if (evaluated_own != atom->nlocal || evaluated_all != atom->nlocal + atom->nghost)
     error->all(FLERR, Error::NOLASTLINE,
                "{} needs the forces of the last step, and a command since then has changed the "

@@ -25,6 +25,7 @@ struct Plane {
 class Images {
  public:
   void set_planes(const std::vector<Plane> &p) { planes = p; }
+  const std::vector<Plane> &all_planes() const { return planes; }
   bool any() const { return !planes.empty(); }
   int count() const { return static_cast<int>(source.size()); }
 

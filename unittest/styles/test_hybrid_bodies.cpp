@@ -251,7 +251,9 @@ TEST(EnergyPerAtom, SumsUpToThePairEnergy)
       Session s;
       s(hybrid ? in_hybrid(b) : b.script());
       s("compute one all pe/atom\ncompute sum all reduce sum c_one\n"
-        "thermo_style custom step pe c_sum\nrun 40");
+        "thermo_style custom step pe c_sum\nrun 40\n"
+        // a run that does not continue: nothing is half a step behind
+        "velocity all set 1e-6 0 0 sum yes units box\nrun 0");
       const double energy = s.value("pe");
       EXPECT_GT(energy, 1.0);    // of 12.5 kJ per unit width of moving iron
       EXPECT_NEAR(s.value("c_sum"), energy, 1.0e-12 * energy);

@@ -179,6 +179,20 @@ TEST(Ranks, AgreeOnTheEnergies)
   for (int k = 0; k < 8; k++) EXPECT_NEAR(here[k], reference[k], 1.0e-12 * reference[7]) << k;
 }
 
+// between runs particles go to other ranks, and the heat of the last half kick with them
+
+TEST(Ranks, LoseNoEnergyBetweenRuns)
+{
+  Session s;
+  s(rod().script() + "compute e all sph/solid/energy\n" + run());
+  const double before = s.value("c_e");
+  for (const char *command : {"balance 1.0 shift xy 10 1.0", "set group all image 0 0 NULL",
+                              "displace_atoms all move 0.002 0 0 units box"}) {
+    s(std::string(command) + "\nrun 0");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before) << command;
+  }
+}
+
 // a file written by one rank continues on all of them
 
 TEST(Ranks, ContinueARestartFileOfOneRank)
