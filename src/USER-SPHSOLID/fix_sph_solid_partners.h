@@ -23,6 +23,7 @@ FixStyle(SPH/SOLID/PARTNERS,FixSPHSolidPartners);
 #include "fix.h"
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -61,6 +62,13 @@ class FixSPHSolidPartners : public Fix {
   // are all particles and ghosts where find() saw them last?  Never in a periodic box, where the
   // nearest images of partners may have changed
   bool in_place() const;
+
+  // the bodies that the particles with a reference form, which act on each other nowhere
+  struct Bodies {
+    std::vector<bigint> sizes;    // numbers of particles, descending
+    bigint mixed_pairs;           // partners of different types
+  };
+  Bodies bodies() const;
 
   // after find(): nobody reads rows any more.  Are they gone?
   bool forget_rows();
@@ -115,6 +123,8 @@ class FixSPHSolidPartners : public Fix {
   int where(tagint) const;
   bool on_any_rank(bool) const;
   std::vector<tagint> of_all_ranks(std::vector<tagint> &mine) const;
+  Bodies joined(const std::map<tagint, bigint> &sizes, const std::vector<tagint> &same,
+                bigint mixed) const;
   void drop_reused_ids();
   void resolve_missing(std::vector<tagint> &, bool setup);
   void drop(std::vector<tagint> &gone);

@@ -188,7 +188,10 @@ void PairSPHSolid::new_neighbors(bool setup)
   }
   sweeps->new_neighbors(p, rows(), largest_cutoff() + neighbor->skin);
   if (partners && partners->forget_rows()) give_back_freed_memory();
-  if (refers) log_uncorrected();
+  if (refers) {
+    log_uncorrected();
+    log_bodies();
+  }
 }
 
 // on any rank, so that pairs are the same seen from both sides, and all runs on any number of ranks.
@@ -213,6 +216,30 @@ void PairSPHSolid::log_uncorrected()
                    "sph/solid: no gradient correction for {} particles, whose partners in the "
                    "reference lie in one row or layer\n",
                    all);
+}
+
+// bodies of one particle are fragments, and no news
+
+void PairSPHSolid::log_bodies()
+{
+  const FixSPHSolidPartners::Bodies bodies = partners->bodies();
+  if (comm->me != 0) return;
+  if (bodies.mixed_pairs > 0)
+    utils::logmesg(lmp,
+                   "sph/solid: {} pairs of particles of different types are partners: bonded for "
+                   "good\n",
+                   bodies.mixed_pairs);
+  const auto &sizes = bodies.sizes;
+  if (sizes.size() < 2 || sizes[1] < 2) return;
+  const auto n = std::count_if(sizes.begin(), sizes.end(), [](bigint size) {
+    return size > 1;
+  });
+  error->warning(
+      FLERR,
+      "sph/solid, frame lagrangian: the reference has {} bodies, the largest of {} and {} "
+      "particles, which do not act on each other, not even where they meet: expected one "
+      "body, frame eulerian, or another pair style between them",
+      n, sizes[0], sizes[1]);
 }
 
 // what has served to arrange partners leaves holes below the arrays that stay, which are a tenth of

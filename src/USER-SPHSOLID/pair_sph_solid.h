@@ -159,6 +159,7 @@ class PairSPHSolid : public Pair {
   void require_partners() const;
   void new_neighbors(bool);
   void log_uncorrected();
+  void log_bodies();
   bool has_unlike_materials() const;
   void empty_list();
   void sort_rows();
