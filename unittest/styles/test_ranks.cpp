@@ -272,8 +272,9 @@ TEST(RanksOfTheLagrangianFrame, ReachPartnersThatAreApartFromTheStart)
   Session s;
   s("read_restart " + path + "\nneighbor 0.0001 bin\n" + fixes + "run 5\n");
   expect_bitwise(reference, s.state());
-  if (first_rank() && ranks() > 1)
+  if (first_rank() && ranks() > 1) {
     EXPECT_THAT(log_of(s), HasSubstr("sph/solid: ghost cutoff enlarged to "));
+  }
 }
 
 TEST(RanksOfTheLagrangianFrame, ReachPartnersThatACommandHasMoved)
@@ -300,6 +301,45 @@ TEST(RanksOfTheLagrangianFrame, AgreeOnAPeriodicBar)
               here = together(b.script() + "run 100\n");
   EXPECT_LT(largest_difference(reference, here), 1.0e-12);
   EXPECT_GT(std::fabs(here[20].stress[0]), 1.0e7);
+}
+
+// bodies go across ranks, and across a periodic boundary; a fragment of one particle is no news
+
+TEST(RanksOfTheLagrangianFrame, CountBodies)
+{
+  const std::string three_columns = "region gone block 4.5e-3 7.5e-3 INF INF INF INF units box\n",
+                    three_rows = "region gone block INF INF 1.5e-3 3.5e-3 INF INF units box\n",
+                    right = "region gone block 4.5e-3 INF INF INF INF INF units box\n",
+                    fragment = "create_atoms 1 single 0.01 0.003 0 units box\ngroup last id 31\n"
+                               "set group last volume 1e-6\n";
+  struct {
+    std::string gap, more, boundary, message;
+  } const cases[] = {
+      {three_columns, "", "s s", "the reference has 2 bodies, the largest of 36 and 30 particles"},
+      {three_columns, "", "p s", ""},
+      {three_rows, "", "s s", "the reference has 2 bodies, the largest of 28 and 28 particles"},
+      {right, fragment, "s s", ""},
+  };
+  for (const auto &one : cases) {
+    SCOPED_TRACE(one.gap + one.more + one.boundary);
+    Block b;
+    b.nx = 14;
+    b.ny = 6;
+    b.h = 0.9e-3;
+    b.frame = "lagrangian";
+    b.boundary = one.boundary;
+    b.box = "-0.0005 0.0135 -0.001 0.006";
+    b.first = "processors * 1 1\n";
+    b.motion = one.gap + "delete_atoms region gone\nreset_atoms id sort yes\n" + one.more;
+    Session s;
+    s(b.script());
+    s("run 0");
+    if (!first_rank()) continue;
+    if (one.message.empty())
+      EXPECT_THAT(s.log(), Not(HasSubstr("the reference has")));
+    else
+      EXPECT_THAT(s.log(), HasSubstr(one.message));
+  }
 }
 
 // two materials: that they are unlike is known to ranks that have one of them only
