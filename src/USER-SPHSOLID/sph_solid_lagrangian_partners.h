@@ -27,17 +27,13 @@
 
 namespace {
 
-// B = 1 for who has all partners in one row or layer: of M's eigenvalues the least is nothing against
-// the others, det M below this share of (tr M/D)^D.  A share, since M of a corner of half cells in three
-// dimensions is small (det M 0.001) and nearly round (a share of 0.8), and particles with B = 1 are tied
-// to the axes of the laboratory: det M alone says nothing.  Caps of balls reach 0.17, a row 0
+// B = 1 for who has all partners in one row or layer, beyond_share().  Particles with B = 1 are tied
+// to the axes of the laboratory.  Caps of balls reach 0.17, a row 0
 constexpr double LEAST_ROUNDNESS = 0.02;
 
 template <int D> bool can_be_corrected(const Tensor<D> &moment)
 {
-  double round = 1.0;
-  for (int a = 0; a < D; a++) round *= moment.trace() / D;
-  return moment.determinant() > LEAST_ROUNDNESS * round;    // without partners both are 0
+  return beyond_share<D>(moment, LEAST_ROUNDNESS) > 0.0;    // without partners it is 0
 }
 
 // the frame ends where the least principal stretch, or the stretch of a pair,

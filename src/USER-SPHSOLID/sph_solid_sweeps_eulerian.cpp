@@ -26,10 +26,9 @@
 
 namespace {
 
-// below this det of sum V (x_j - x_i) (x) grad W a particle sees too little of
-// its surroundings to correct anything: B = 1.  0.2 gave up the foot of a Taylor
-// rod too early (0.03 of its kinetic energy at h = 1.3 spacings, 0.018 with 0.1)
-constexpr double DET_FALLBACK = 0.1;
+// who sees too little of its surroundings to correct anything has B = 1, beyond_share().  With 0.02,
+// as in the Lagrangian frame, the foot of a Taylor rod breaks up at h = 1.3 spacings
+constexpr double LEAST_ROUNDNESS = 0.1;
 
 /* ----------------------------------------------------------------------
    gradient sweep
@@ -274,7 +273,7 @@ int EulerianSweeps<D>::update(const Particles &p, const Batch &batch, Sums &sums
   const Tensors moment = lanes_of<D>(sums.moment), velocity = lanes_of<D>(sums.velocity);
   Tensors B = Tensors::Identity(), exact = B;    // exact: for linear fields
   if (opt.corrected || needs_rates(form) || needs_switch(form)) {
-    const Pack enough = moment.determinant() - DET_FALLBACK;
+    const Pack enough = beyond_share<D>(moment, LEAST_ROUNDNESS);
     const Tensors inverse = moment.inverse();
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) exact(a, b) = where_positive(enough, inverse(a, b), exact(a, b));
