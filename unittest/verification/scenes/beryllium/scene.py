@@ -2,7 +2,7 @@
 
 import bodies
 import methods
-from catalogue import Figure, case, order, series
+from catalogue import Chance, Figure, case, order, series
 from histories import crossings, drift, slope
 from running import columns, snapshots
 
@@ -58,7 +58,7 @@ def cases(level):
 
 
 FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
-         "E-safe": "particles in tension pair up, and too little damps them"}
+         "E-safe": Chance("particles in tension pair up, and too little damps them")}
 
 
 def sizes(method, level):

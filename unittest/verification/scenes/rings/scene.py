@@ -57,8 +57,11 @@ def cases(level):
     return found
 
 
-FAILS = {"E-none": "particles in tension pair up, and nothing damps them",
+FAILS = {"E-none": Chance("particles in tension pair up, and nothing damps them"),
+         "E-safe": Chance("particles in tension pair up, and too little damps them"),
          "ulsph": "the rings are torn apart, and particles leave the box"}
+
+ASTRAY = Chance("particles that pair up leave a ring or reach the other one")
 
 
 def sizes(method, level):
@@ -112,13 +115,12 @@ def gates(case):
 def misses(case):
     torn = "without artificial stress particles in tension pair up, and the rings tear"
     if case.variables.get("tensile") == "none":
-        return {"broken": torn} if case.method.key == "E-safe" else {"broken": torn, "joined": torn}
+        return {"broken": torn, "joined": ASTRAY if case.method.key == "E-safe" else torn}
     pumped = "particles pair up all the same; artificial stress drives them, and what it drives becomes heat"
-    astray = Chance("particles that pair up leave a ring or reach the other one")
     if case.method.key == "E-correct" and case.n >= 8:
-        return {"heat": pumped, "joined": astray}
+        return {"heat": pumped, "joined": ASTRAY}
     if case.method.key == "E-safe":
-        return {"broken": astray, "joined": astray, **({"heat": pumped} if case.n >= 6 else {})}
+        return {"broken": ASTRAY, "joined": ASTRAY, **({"heat": pumped} if case.n >= 6 else {})}
     return {}
 
 
