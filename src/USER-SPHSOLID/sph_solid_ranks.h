@@ -38,7 +38,7 @@ inline std::uint64_t sum_over_ranks(std::uint64_t value, MPI_Comm world)
   return value;
 }
 
-inline Range over_ranks(const Range &mine, MPI_Comm world)
+inline Range over_ranks(Range mine, MPI_Comm world)    // a copy: the MPI stubs take no const
 {
   Range all;
   MPI_Allreduce(&mine.least, &all.least, 1, MPI_DOUBLE, MPI_MIN, world);
