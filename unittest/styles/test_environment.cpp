@@ -244,7 +244,7 @@ TEST(Warns, OfAParticleThatLeavesItsBody)
   Block b = small();
   b.motion = "velocity all zero linear\n";
   s(b.script());
-  s("group one id 36\nvelocity one set 3000 3000 0 units box\nrun 100");
+  s("group one id 36\nvelocity one set 2000 2000 0 units box\nrun 200");
   const std::string log = s.log();
   EXPECT_THAT(log, HasSubstr("sph/solid: particle 36 at "));
   EXPECT_THAT(log, HasSubstr("has lost all its neighbors by step "));
