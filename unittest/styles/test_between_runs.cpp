@@ -447,16 +447,39 @@ TEST(ChangedBoxAcrossFreeFaces, ChangesNothing)
    than what is allowed here.  One particle is at rest far away
 ------------------------------------------------------------------------- */
 
+const std::string MOVE_AND_SUM = "fix move all sph/solid\ntimestep 8e-8\n"
+                                 "compute e all sph/solid/energy\n"
+                                 "thermo_style custom step pe c_e c_e[2]\n";
+
+// that is at rest far away
+
+const std::string FAR = "create_atoms 1 single 0.03 0.03 0 units box\ngroup far id 49\n"
+                        "set group far volume 1e-6\nvelocity far set 0 0 0 units box\n";
+
+Block summed(const std::string &frame)
+{
+  Block b = body();
+  b.frame = frame;
+  b.fixes = MOVE_AND_SUM;
+  return b;
+}
+
+// kinetic energy and what atom->esph has
+
+double stored_energy(const Session &s)
+{
+  double sum = 0.0;
+  for (const Particle &p : s.state())
+    sum += p.mass * (p.e + 0.5 * (p.v[0] * p.v[0] + p.v[1] * p.v[1]));
+  return sum;
+}
+
 class NotContinued : public testing::TestWithParam<Case> {
  protected:
   static std::string script(const std::string &frame)
   {
-    Block b = body();
-    b.frame = frame;
-    b.motion += "create_atoms 1 single 0.03 0.03 0 units box\ngroup far id 49\n"
-                "set group far volume 1e-6\nvelocity far set 0 0 0 units box\n";
-    b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n"
-              "thermo_style custom step pe c_e c_e[2]\n";
+    Block b = summed(frame);
+    b.motion += FAR;
     return b.script();
   }
   static std::vector<std::string> frames() { return {"lagrangian", "eulerian"}; }
@@ -542,8 +565,7 @@ TEST(NotContinuedRun, AfterAStepInAPeriodicBoxHasNoHeatToCome)
   for (const char *command : {"displace_atoms all move 0.0005 0 0 units box", ""}) {
     Block b = bar();
     b.frame = "eulerian";
-    b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n"
-              "thermo_style custom step pe c_e c_e[2]\n";
+    b.fixes = MOVE_AND_SUM;
     Session s;
     s(b.script());
     s("run 20");
@@ -585,12 +607,8 @@ TEST(NotContinuedRun, WithNewIdsKeepsTheEnergy)
   for (const std::string command : {"delete_atoms group far", "reset_atoms id sort yes"}) {
     SCOPED_TRACE(command);
     Session s;
-    Block b = body();
-    b.frame = "eulerian";
-    b.motion += "create_atoms 1 single -0.03 -0.03 0 units box\ngroup far id 49\n"
-                "set group far volume 1e-6\nvelocity far set 0 0 0 units box\n";
-    b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n"
-              "thermo_style custom step c_e\n";
+    Block b = summed("eulerian");
+    b.motion += FAR;
     s(b.script());
     s("run 20");
     const double before = s.value("c_e");
@@ -605,29 +623,19 @@ TEST(EnergyBetweenRuns, HasCaughtUp)
 {
   for (const char *frame : {"lagrangian", "eulerian"}) {
     SCOPED_TRACE(frame);
-    Block b = body();
-    b.frame = frame;
-    b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n"
-              "thermo_style custom step c_e\n";
     Session s;
-    s(b.script());
+    s(summed(frame).script());
     const double initial = [&] {
       s("run 0");
       return s.value("c_e");
     }();
     s("run 20");
-    auto total = [&s] {
-      double sum = 0.0;
-      for (const Particle &p : s.state())
-        sum += p.mass * (p.e + 0.5 * (p.v[0] * p.v[0] + p.v[1] * p.v[1]));
-      return sum;
-    };
-    EXPECT_NEAR(total(), initial, 1.0e-12 * initial);
+    EXPECT_NEAR(stored_energy(s), initial, 1.0e-12 * initial);
     // such a command throws the forces away
     s("write_data " + file("caught_up.data"));
     EXPECT_NEAR(s.value("c_e"), initial, 1.0e-12 * initial);
     s("run 20");
-    EXPECT_NEAR(total(), initial, 1.0e-12 * initial);
+    EXPECT_NEAR(stored_energy(s), initial, 1.0e-12 * initial);
   }
 }
 
@@ -640,12 +648,8 @@ TEST(EnergyOfARestartFile, HasCaughtUp)
     const std::string path = file("during");
     double before = 0.0;
     {
-      Block b = body();
-      b.frame = frame;
-      b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n"
-                "thermo_style custom step c_e\n";
       Session s;
-      s(b.script());
+      s(summed(frame).script());
       s("restart 20 " + path + ".*\nrun 30");
       before = s.value("c_e");
     }
@@ -653,10 +657,7 @@ TEST(EnergyOfARestartFile, HasCaughtUp)
     s("read_restart " + path + ".20\n" + NEIGHBOR + MOVE +
       "compute e all sph/solid/energy\nthermo_style custom step c_e\n"
       "velocity all set 0 0 0 sum yes units box\ngroup one id 20\nset group one sph/rho 7850");
-    double sum = 0.0;
-    for (const Particle &p : s.state())
-      sum += p.mass * (p.e + 0.5 * (p.v[0] * p.v[0] + p.v[1] * p.v[1]));
-    EXPECT_NEAR(sum, before, 1.0e-12 * before);
+    EXPECT_NEAR(stored_energy(s), before, 1.0e-12 * before);
     s("run 0");
     EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
   }
@@ -690,11 +691,8 @@ TEST(EndOfAFix, AfterAnotherPairStyleIsQuiet)
 
 TEST(NotContinuedRun, AfterAnotherMassKeepsTheEnergy)
 {
-  Block b = body();
-  b.fixes = "fix move all sph/solid\ntimestep 8e-8\ncompute e all sph/solid/energy\n"
-            "thermo_style custom step c_e\n";
   Session s;
-  s(b.script());
+  s(summed("lagrangian").script());
   s("run 20\nset atom 20 mass 0.006\nrun 0");
   const double before = s.value("c_e");
   s("run 20");
