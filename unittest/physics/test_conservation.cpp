@@ -17,12 +17,12 @@ using namespace SPHSolid;
 
 namespace {
 
-// is the gradient of a particle not corrected?  Its moment matrix: less than 0.1 of a round one of the same trace
+// is the gradient of a particle not corrected?  Its moment matrix: less than 0.4 of a round one of the same trace
 
 bool is_plain(const Matrix3d &moment)
 {
   const Eigen::Matrix2d m = moment.topLeftCorner<2, 2>();
-  return m.determinant() <= 0.1 * std::pow(0.5 * m.trace(), 2);
+  return m.determinant() <= 0.4 * std::pow(0.5 * m.trace(), 2);
 }
 
 // what the standard viscosity takes from the motion per time
