@@ -28,9 +28,6 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-// beyond it no body has been stable for long (see the page of this fix)
-static constexpr double LARGEST_COURANT_NUMBER = 1.5;
-
 /* ----------------------------------------------------------------------
    fix ID group sph/solid/dt <every> <cfl>|auto [max v] [min v]
 ------------------------------------------------------------------------- */
@@ -88,11 +85,11 @@ void FixSPHSolidDt::init()
 
 void FixSPHSolidDt::setup(int)
 {
-  if (cfl > LARGEST_COURANT_NUMBER && !warned_cfl && comm->me == 0)
+  if (cfl > SPHSolid::LARGEST_COURANT_NUMBER && !warned_cfl && comm->me == 0)
     error->warning(FLERR,
                    "Fix sph/solid/dt: cfl is {:.6g}, more than elastic bodies bear: expected auto "
                    "or a number up to {}",
-                   cfl, LARGEST_COURANT_NUMBER);
+                   cfl, SPHSolid::LARGEST_COURANT_NUMBER);
   warned_cfl = true;
   if (!pair->has_resumed()) end_of_step();
 }

@@ -40,9 +40,6 @@ using namespace SPHSolid;
 // this share of 2/omega: hourglass damping takes up to a tenth of it, plastic flow gives more
 static constexpr double SAFETY = 0.85;
 
-// and never more than this Courant number: beyond, results begin to depend on the step
-static constexpr double LARGEST_COURANT_NUMBER = 1.5;
-
 // power iteration: at least and at most so many times, or until so many times have added less
 static constexpr int LEAST_ITERATIONS = 20, MOST_ITERATIONS = 200, LOOK_BACK = 5;
 static constexpr double CONVERGED = 2.0e-3;

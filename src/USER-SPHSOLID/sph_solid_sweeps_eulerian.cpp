@@ -27,9 +27,13 @@
 namespace {
 
 // who sees too little of its surroundings to correct anything has B = 1, beyond_share().  Corners, edges
-// and bars of two particles have 0.46 or more, up to h = 2 spacings, and turn without being strained; with
+// and bars of two particles have 0.41 or more, up to h = 2 spacings, and turn without being strained; with
 // 0.1 fragments of a torn foot are corrected, too, until a step changes their density by more than it is
 constexpr double LEAST_ROUNDNESS = 0.4;
+
+// and so has who is about to lose its neighbors, which the correction would hold on to until the end of
+// the kernel: the mean of M's diagonal is 1 inside a body and 2^-D in a corner of half cells
+template <int D> constexpr double LEAST_MOMENT = 0.8 / (1 << D);
 
 /* ----------------------------------------------------------------------
    gradient sweep
@@ -274,7 +278,8 @@ int EulerianSweeps<D>::update(const Particles &p, const Batch &batch, Sums &sums
   const Tensors moment = lanes_of<D>(sums.moment), velocity = lanes_of<D>(sums.velocity);
   Tensors B = Tensors::Identity(), exact = B;    // exact: for linear fields
   if (opt.corrected || needs_rates(form) || needs_switch(form)) {
-    const Pack enough = beyond_share<D>(moment, LEAST_ROUNDNESS);
+    const Pack enough = minimum(beyond_share<D>(moment, LEAST_ROUNDNESS),
+                                moment.trace() * (1.0 / D) - Pack(LEAST_MOMENT<D>));
     const Tensors inverse = moment.inverse();
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) exact(a, b) = where_positive(enough, inverse(a, b), exact(a, b));

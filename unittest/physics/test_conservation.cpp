@@ -17,12 +17,14 @@ using namespace SPHSolid;
 
 namespace {
 
-// is the gradient of a particle not corrected?  Its moment matrix: less than 0.4 of a round one of the same trace
+// is the gradient of a particle not corrected?  Its moment matrix: less than 0.4 of a round one of the same
+// trace, or a mean below 0.8 of the quarter of a corner of half cells
 
 bool is_plain(const Matrix3d &moment)
 {
   const Eigen::Matrix2d m = moment.topLeftCorner<2, 2>();
-  return m.determinant() <= 0.4 * std::pow(0.5 * m.trace(), 2);
+  const double mean = 0.5 * m.trace();
+  return m.determinant() <= 0.4 * mean * mean || mean <= 0.8 / 4.0;
 }
 
 // what the standard viscosity takes from the motion per time
