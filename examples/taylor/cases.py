@@ -150,16 +150,13 @@ def all_cases():
                 yield stepped(frame, key, cfl)
 
 
-# the foot of these Eulerian rods is so torn that a density becomes negative, and the run says so
-STOPS = {"contact-h1.3-corrected-0.2", "symmetry-h1.3-corrected-none", "symmetry-h1.3-corrected-0.2",
-         "symmetry-h1.3-corrected-0.5", "symmetry-h1.5-corrected-none", "refine-eulerian-2x-0.5", "refine-eulerian-3x-0.5",
-         "refine-eulerian-2x-correct-symmetry"}
-# and this one's, not as far: -1.05 % of the length where 1 % are allowed, 0.021 of the energy at 40 us where 0.02 are
-KNOWN = {"contact-h1.3-corrected-correct": ("length", "ke 40")}
+# the foot of these Eulerian rods tears: -1.39 and -1.13 % of the length where 1 % are allowed; 0.021 and 0.029 of the energy at 30
+# and 40 us, 0.0201 at 40 us where 0.02 are
+KNOWN = {"contact-h1.3-corrected-correct": ("length", "ke 30", "ke 40"),
+         "symmetry-h1.3-corrected-correct": ("length", "ke 40")}
 
 
 PARTS = {"lagrangian", "eulerian", "stock", "refine", "speed", "step"}
 STUDIES = {"refine", "speed", "step"}   # these take longer, and are asked for by name
-CASES = [replace(case, may_fail=case.may_fail or case.name in STOPS, known=case.known or KNOWN.get(case.name, ()))
-         for case in all_cases()]
+CASES = [replace(case, known=case.known or KNOWN.get(case.name, ())) for case in all_cases()]
 BY_NAME = {case.name: case for case in CASES}
