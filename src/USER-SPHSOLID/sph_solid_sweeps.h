@@ -62,7 +62,7 @@ struct Options {
 };
 
 // the Courant number that fix sph/solid/dt takes with cfl auto: Taylor rods whose foot tears stop with
-// 0.8, those without viscosity with 0.6.  doc/fix_sph_solid_dt.rst has the runs.  In the lagrangian
+// 0.8, one of those without viscosity with 0.6.  doc/fix_sph_solid_dt.rst has the runs.  In the lagrangian
 // frame it follows from the reference (pair_sph_solid_resonance.cpp), and is never more than the
 // largest: beyond, results begin to depend on the step
 

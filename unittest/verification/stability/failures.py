@@ -154,15 +154,15 @@ def balsara_does_not_see_clumping():
 
 def safe_weights_keep_less_apart():
     """What weights safe leaves out is missed where particles come close: with a1 = 0.25 those of the Eulerian foot come closer
-    than with conservative weights. The width of the foot is right to 1 % with both."""
+    than with conservative weights. The width of the foot is right to 2 % with both."""
     closest = {}
     for weights in ("safe", "conservative"):
         _, message, end = rod("eulerian", f"correct weights {weights} alpha 0.25 1")
         runs_on(weights, message)
         closest[weights] = end["closest"]
-        between(f"{weights}: foot against finite elements", end["number"], -0.01, 0.01)
+        between(f"{weights}: foot against finite elements", end["number"], -0.02, 0.02)
     between("closest pair of conservative", closest["conservative"], judge.CLOSEST, 0.3)
-    between("the same of safe over it", closest["safe"] / closest["conservative"], 0.5, 0.9)
+    between("the same of safe over it", closest["safe"] / closest["conservative"], 0.3, 0.95)
 
 
 # ---- Lagrangian frame -------------------------------------------------------------------------------------------
