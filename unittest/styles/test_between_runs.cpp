@@ -546,9 +546,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"AnotherFix", "unfix move\nfix move all sph/solid", ""},
         Case{"ADeletedParticle", "delete_atoms group far compress no", ""},
         Case{"ADeletedParticleAndARestartFile",
-             "write_restart not_continued.restart\ndelete_atoms group far compress no", ""},
+             "write_restart " + file("not_continued.restart") +
+                 "\ndelete_atoms group far compress no",
+             ""},
         Case{"AnotherFixAndADataFile",
-             "write_data not_continued.data\nunfix move\nfix move all sph/solid", ""},
+             "write_data " + file("not_continued.data") + "\nunfix move\nfix move all sph/solid",
+             ""},
         Case{"ADisplacement", "displace_atoms all move 0.001 0 0 units box", ""},
         Case{"AnotherMaterial",
              "pair_coeff * * inline rho0 7850 eos mie-gruneisen 5000 1.8 1.8 shear 80e9 strength "
