@@ -73,7 +73,7 @@ template <int D> inline Tensor<D> of_lane(const Tensor<D, Pack> &t, int lane)
 
 // Is a moment matrix M = sum V (x_j - x_i) (x) grad W well enough conditioned for its inverse, det M above
 // this share of (tr M/D)^D?  positive: yes.  det M alone says nothing: of a corner of half cells in three
-// dimensions it is 0.001, and its share of the other is 0.8; of a row of particles both are 0
+// dimensions it is 0.001, and its share of the other 0.4 to 0.8; of a row of particles both are 0
 
 template <int D, class Real>
 inline Real beyond_share(const Tensor<D, Real> &moment, double least_share)
