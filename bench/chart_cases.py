@@ -203,7 +203,7 @@ and for the stock styles, which have no wall for solids and meet their own mirro
 computes: with a wall of its own it would cost half as much. Outline: root mean square distance of the particles on the sides and on the
 free end from the outline of the finite elements, over the width of the rod. The finite elements carry some bulk viscosity; without it
 their limit is shorter by 0.07 % and has a foot wider by 0.3 %: smaller errors than these mean nothing. Steps as recommended: *auto* of :doc:`fix_sph_solid_dt`, Courant numbers of 1.2 to 1.3 in the
-Lagrangian frame and 0.3 in the Eulerian one (where *auto* takes 0.5 now), a tenth of the range of the kernel over the wave speed for the stock styles.
+Lagrangian frame and 0.5 in the Eulerian one, a tenth of the range of the kernel over the wave speed for the stock styles.
 """, {"length": "length, relative", "foot": "foot, relative", "ke": "history of KE/KE0, rms", "outline": "outline, rms over width"}, "outline",
           list(rod_runs()), rod_errors),
     Chart("plate", "Oscillating plate", "spacings through the depth", r"""

@@ -75,18 +75,21 @@ def picture(chart, rows):
 
 
 def summary(charts):
-    """One panel a scene, for the README."""
+    """One panel a scene in two columns, for the README."""
     shown = [(chart, kept(chart)) for chart in charts if kept(chart)]
-    figure, grid = plt.subplots(1, len(shown) + 1, figsize=(3.0 * len(shown) + 2.3, 3.2), layout="constrained",
-                                gridspec_kw={"width_ratios": [3.0] * len(shown) + [2.3]})
+    rows = [shown[k:k + 2] for k in range(0, len(shown), 2)]
+    places = [[chart.key for chart, _ in row] + ["."] * (2 - len(row)) + ["legend"] for row in rows]
+    figure = plt.figure(figsize=(10.0, 3.2 * len(rows)), layout="constrained")
+    panels = figure.subplot_mosaic(places, gridspec_kw={"width_ratios": [3.6, 3.6, 2.2]}, empty_sentinel=".")
     handles = {}
-    for axes, (chart, rows) in zip(grid, shown):
-        lines(axes, chart, rows, chart.main)
+    for chart, data in shown:
+        axes = panels[chart.key]
+        lines(axes, chart, data, chart.main)
         axes.set_title(chart.title)
         found, names = axes.get_legend_handles_labels()
         handles.update({name: handle for name, handle in zip(names, found) if name not in handles})
-    grid[-1].axis("off")
-    grid[-1].legend(handles.values(), handles.keys(), loc="center left", fontsize=7, borderaxespad=0)
+    panels["legend"].axis("off")
+    panels["legend"].legend(handles.values(), handles.keys(), loc="center left", fontsize=8, borderaxespad=0)
     save(figure, DATA, "summary")
 
 
