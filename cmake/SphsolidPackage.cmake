@@ -103,7 +103,7 @@ function(sphsolid_add_flags lmp_version)
     set(set_name "the compiler's default")
   endif()
 
-  # as sph_solid_vector.h decides
+  # as sph_solid_native.h decides
   string(MAKE_C_IDENTIFIER "SPHSOLID_EIGHT_LANES_${SPHSOLID_ARCH}" eight)
   set(CMAKE_REQUIRED_FLAGS ${flags})
   list(FILTER CMAKE_REQUIRED_FLAGS INCLUDE REGEX "^-march")

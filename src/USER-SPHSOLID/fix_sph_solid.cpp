@@ -30,11 +30,15 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+
+// positions closer than this share of a smoothing length are the same
+static constexpr double PLACE = 1.0e-7;
 
 /* ---------------------------------------------------------------------- */
 
@@ -46,10 +50,10 @@ FixSPHSolid::FixSPHSolid(LAMMPS *lmp, int narg, char **arg) :
   time_integrate = 1;
   dynamic_group_allow = 1;
   restart_global = 1;
-  leading = heat_on_the_way = continues = false;
+  leading = heat_on_the_way = continues = unsettled = heats_itself = false;
   caught_up = true;
   dt_pending = 0.0;
-  fingerprint = 0;
+  fingerprint = forces_mark = 0;
 }
 
 int FixSPHSolid::setmask()
@@ -85,11 +89,22 @@ void FixSPHSolid::init()
   leading = (leader(lmp) == this);
   require_masses();
   heat_on_the_way = leading && pair->keep_heat(moves_alone());
-  continues = dt_pending > 0.0 && fingerprint != 0 && fingerprint == state_fingerprint(atom->esph);
-  if (continues)
-    pair->continue_from_half_step();
+  decide_to_continue();
+}
+
+// the first of these fixes decides for all of them: they are parts of one step
+
+void FixSPHSolid::decide_to_continue()
+{
+  if (leading)
+    continues =
+        dt_pending > 0.0 && fingerprint != 0 && fingerprint == state_fingerprint(atom->esph);
   else
+    continues = leader(lmp)->continues;
+  if (!continues)
     dt_pending = 0.0;
+  else if (leading)
+    pair->continue_from_half_step();
 }
 
 void FixSPHSolid::require_masses() const
@@ -124,7 +139,7 @@ bool FixSPHSolid::drives_box(LAMMPS *lmp)
 
 bool FixSPHSolid::moves_alone() const
 {
-  const int own = modify->find_fix(id);
+  const int place = modify->find_fix(id);
   int others = 0, others_all = 0, moved_by_us = 0;
   for (int k = 0; k < modify->nfix; k++) {
     const Fix *fix = modify->fix[k];
@@ -136,7 +151,7 @@ bool FixSPHSolid::moves_alone() const
     const int between = INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE;
     if ((modify->fmask[k] & between) || drives_box(fix)) others = 1;
     // one that adds, removes or moves particles to other ranks must not come first
-    if ((modify->fmask[k] & PRE_EXCHANGE) && k < own) others = 1;
+    if ((modify->fmask[k] & PRE_EXCHANGE) && k < place) others = 1;
   }
   for (int i = 0; i < atom->nlocal; i++) {
     const double *v = atom->v[i];
@@ -160,12 +175,16 @@ void FixSPHSolid::setup(int)
 void FixSPHSolid::setup_pre_force(int)
 {
   if (continues) go_back();
+  unsettled = continues && leading;
+  heats_itself = false;
   caught_up = own->swaps_energies = false;
 }
 
 void FixSPHSolid::post_run()
 {
+  settle();
   pair->keep_half_step();
+  forces_mark = mark_of_forces();
   if (leading) {    // the first of all these fixes
     catch_up();
     std::swap_ranges(atom->esph, atom->esph + atom->nlocal, own->esph_half);
@@ -189,7 +208,32 @@ void FixSPHSolid::catch_up()
 
 void FixSPHSolid::go_back()
 {
-  if (leading && caught_up) std::copy_n(own->esph_half, atom->nlocal, atom->esph);
+  if (leading && caught_up) std::swap_ranges(atom->esph, atom->esph + atom->nlocal, own->esph_half);
+}
+
+// The heat of both half kicks around a force evaluation is that of one force.  If a run that continues finds
+// others (a wall has gone, or another fix has come), the energies that belong to the velocities are the ones to
+// start from, and the half kick that is to come has its heat from a sweep of its own
+
+void FixSPHSolid::settle()
+{
+  if (!unsettled) return;
+  unsettled = false;
+  if (mark_of_forces() == forces_mark) return;
+  std::swap_ranges(atom->esph, atom->esph + atom->nlocal, own->esph_half);
+  dt_pending = 0.0;
+  heats_itself = true;
+}
+
+std::uint64_t FixSPHSolid::mark_of_forces() const
+{
+  std::uint64_t mine = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    SPHSolid::Fingerprint print(static_cast<std::uint64_t>(atom->tag[i]));
+    for (int k = 0; k < 3; k++) print.add(atom->f[i][k]);
+    mine += print.value();
+  }
+  return SPHSolid::sum_over_ranks(mine, world);
 }
 
 // fix_modify ID reference renew: the group's next run starts from the
@@ -205,23 +249,27 @@ int FixSPHSolid::modify_param(int narg, char **arg)
 
   // the heat of the last half kick belongs to the forces of the old reference: the next run starts
   // from rest in time
-  if (auto *fix = leader(lmp)) fix->dt_pending = 0.0;
+  if (auto *fix = leader(lmp)) {
+    fix->dt_pending = 0.0;
+    fix->fingerprint = 0;
+  }
   p->renew_reference(groupbit);
   return 2;
 }
 
 // a number that any change of a state or ID changes, and no change of order does.  Positions in
-// single precision: commands that balance ranks or wrap particles round them
+// parts of a smoothing length: commands that balance ranks or wrap particles round them
 
 std::uint64_t FixSPHSolid::state_fingerprint(const double *esph) const
 {
+  const double unit = PLACE * pair->largest_smoothing_length();
   std::uint64_t mine = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     SPHSolid::Fingerprint print(static_cast<std::uint64_t>(atom->tag[i]));
     for (int k = 0; k < 3; k++) print.add(atom->v[i][k]);
     double x[3];
     domain->unmap(atom->x[i], atom->image[i], x);
-    for (int k = 0; k < 3; k++) print.add(static_cast<float>(x[k]));
+    for (int k = 0; k < 3; k++) print.add(std::rint(x[k] / unit) + 0.0);    // -0 is 0
     for (int k = 0; k < 6; k++) print.add(own->stress[i][k]);
     for (const double value : {atom->rho[i], esph[i], own->epl[i], atom->vfrac[i], atom->rmass[i]})
       print.add(value);
@@ -242,16 +290,18 @@ std::uint64_t FixSPHSolid::state_fingerprint(const double *esph) const
 void FixSPHSolid::initial_integrate(int)
 {
   if (caught_up) {    // run ... pre no: no setup
-    pair->require_current("A run with 'pre no'");
+    require_unchanged();
     go_back();
   }
+  settle();
   caught_up = own->swaps_energies = false;
   if (leading && pair->has_energy()) {
-    if (heat_on_the_way)
+    if (heat_on_the_way && !heats_itself)
       pair->leave_heat(0.25 * (dt_pending + update->dt), update->dt);
     else
       add_heat();
   }
+  heats_itself = false;
   // in chunks, so that the drift finds the velocities of the kick in the first-level cache
   constexpr int CHUNK = 512;
   const double dt = update->dt;
@@ -264,6 +314,19 @@ void FixSPHSolid::initial_integrate(int)
       });
     }
   });
+}
+
+void FixSPHSolid::require_unchanged()
+{
+  pair->require_current("A run with 'pre no'");
+  if (leading && fingerprint != state_fingerprint(atom->esph))
+    error->all(FLERR, Error::NOLASTLINE,
+               "A run with 'pre no' goes on from the last one, and the state of sph/solid, its "
+               "reference or what moves it has changed since: expected a run without it");
+  if (!(update->dt > 0.0))
+    error->all(FLERR, Error::NOLASTLINE,
+               "Fix sph/solid {}: the time step is {}: expected timestep with a value > 0", id,
+               update->dt);
 }
 
 // neighbors are about to be new, and with them all that the last force evaluation left behind
@@ -328,9 +391,10 @@ void FixSPHSolid::add_heat()
   });
 }
 
-void FixSPHSolid::pending_heat(double *out) const
+void FixSPHSolid::pending_heat(double *out)
 {
   std::memset(out, 0, atom->nlocal * sizeof(double));
+  if (auto *first = leader(lmp)) first->settle();
   if (caught_up || dt_pending == 0.0 || !pair->has_energy()) return;
   pair->require_current("The internal energy of sph/solid");
   pair->keep_half_step();
@@ -346,6 +410,8 @@ void FixSPHSolid::pending_heat(double *out) const
 std::uint64_t FixSPHSolid::restart_fingerprint()
 {
   if (caught_up) return state_fingerprint(atom->esph);
+  settle();
+  forces_mark = mark_of_forces();
   if (leading) catch_up();
   own->swaps_energies = true;
   return state_fingerprint(own->esph_half);
@@ -353,10 +419,11 @@ std::uint64_t FixSPHSolid::restart_fingerprint()
 
 void FixSPHSolid::write_restart(FILE *fp)
 {
-  double list[6] = {dt_pending, 0.0, 0.0, 0.0, 0.0, 0.0};
+  double list[7] = {dt_pending};
   if (pair && dt_pending > 0.0) pair->keep_half_step();
   const std::uint64_t mark = pair ? restart_fingerprint() : 0;
   std::memcpy(&list[1], &mark, sizeof(mark));
+  std::memcpy(&list[6], &forces_mark, sizeof(forces_mark));
   if (pair && leading) {
     const SPHSolid::Ledger &l = pair->ledger();
     double mine[4] = {l.plastic_work, l.viscous_heat, l.returned, l.hourglass};
@@ -365,16 +432,18 @@ void FixSPHSolid::write_restart(FILE *fp)
   if (comm->me == 0) {
     int size = sizeof(list);
     fwrite(&size, sizeof(int), 1, fp);
-    fwrite(list, sizeof(double), 6, fp);
+    fwrite(list, sizeof(double), 7, fp);
   }
 }
 
 void FixSPHSolid::restart(char *buf)
 {
-  double list[6];
+  double list[7];
   std::memcpy(list, buf, sizeof(list));
   dt_pending = list[0];
   std::memcpy(&fingerprint, &list[1], sizeof(fingerprint));
+  std::memcpy(&forces_mark, &list[6], sizeof(forces_mark));
   auto *p = dynamic_cast<PairSPHSolid *>(force->pair_match("sph/solid", 1));
-  if (p && leader(lmp) == this && comm->me == 0) p->ledger() = {list[2], list[3], list[4], list[5]};
+  const bool led = list[2] != 0.0 || list[3] != 0.0 || list[4] != 0.0 || list[5] != 0.0;
+  if (p && led && comm->me == 0) p->ledger() = {list[2], list[3], list[4], list[5]};
 }

@@ -43,7 +43,7 @@ class FixSPHSolid : public Fix {
 
   // during a run, atom->esph lags half a step behind x and v: the heat of that half step,
   // in energy per particle, for output (all own atoms)
-  void pending_heat(double *) const;
+  void pending_heat(double *);
 
   // the fix that books heat for all of them: the first one defined
   static FixSPHSolid *leader(class LAMMPS *);
@@ -66,13 +66,20 @@ class FixSPHSolid : public Fix {
   bool caught_up;
   bool continues;               // the next run finds the state that the last one left
   std::uint64_t fingerprint;    // of that state
+  std::uint64_t forces_mark;    // of the forces of the last step
+  bool unsettled;               // a run has begun that continues if its first forces are the same
+  bool heats_itself;            // they are not: the heat of the next half kick is not on the way
 
   static bool drives_box(const Fix *);
   std::uint64_t state_fingerprint(const double *esph) const;
   std::uint64_t restart_fingerprint();
   void require_masses() const;
+  void decide_to_continue();
   void catch_up();
   void go_back();
+  void settle();
+  void require_unchanged();
+  std::uint64_t mark_of_forces() const;
   bool moves_alone() const;
   void add_heat();
   void kick(int first, int end, double dtf);

@@ -20,9 +20,7 @@
 #include "fix_sph_solid.h"
 #include "memory.h"
 #include "neigh_list.h"
-#include "neighbor.h"
-#include "sph_solid_fingerprint.h"
-#include "update.h"
+#include "sph_solid_sweeps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +28,6 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-
-// when partners outgrow the ghost cutoff, it grows by this much more than needed
-static constexpr double COVER_MORE = 1.25;
-
-// partners may be so much of a periodic box apart
-static constexpr double LARGEST_SHARE = 0.45;
 
 // lengths are the same if they differ by less than this share: input scripts round them
 static constexpr double SAME = 1.0e-6;
@@ -58,6 +50,7 @@ FixSPHSolidPartners::FixSPHSolidPartners(LAMMPS *lmp, int narg, char **arg) :
   comm_border = comm_forward = dim + 1;
   maxexchange_dynamic = 1;
   maxpartner = nchanges = 0;
+  reach_is_new = false;
   nlocal = -1;
   seen = 0;
 
@@ -89,6 +82,7 @@ int FixSPHSolidPartners::setmask()
 
 void FixSPHSolidPartners::init()
 {
+  if (left) return;
   if (periodic() && domain->triclinic)
     error->all(FLERR, "sph/solid, frame lagrangian: a triclinic box cannot be periodic");
   if (periodic() && FixSPHSolid::drives_box(lmp))
@@ -128,18 +122,42 @@ void FixSPHSolidPartners::widen(int n)
 
 void FixSPHSolidPartners::forget(int groupbit)
 {
-  bool cut = false;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < npartner[i]; k++) {
-      const int j = where(partner[i][k]);
-      if (j >= 0 && ((atom->mask[i] ^ atom->mask[j]) & groupbit)) cut = true;
-    }
-  if (on_any_rank(cut))
+  if (on_any_rank(cuts_body(groupbit)))
     error->all(FLERR,
                "Fix_modify reference renew: the group of the fix ends inside a body: expected "
                "whole bodies");
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit) npartner[i] = -1;
+}
+
+// is a particle here inside of the group, and a partner outside, or the other way round?  What ghosts
+// have as their groups is that of the last run
+
+bool FixSPHSolidPartners::cuts_body(int groupbit) const
+{
+  enum { UNKNOWN, OUTSIDE, INSIDE };
+  auto side = [this, groupbit](int i) {
+    return (atom->mask[i] & groupbit) ? INSIDE : OUTSIDE;
+  };
+  const std::vector<tagint> others = partners_elsewhere();
+  std::vector<int> mine(others.size(), UNKNOWN), all(others.size(), UNKNOWN);
+  for (std::size_t k = 0; k < others.size(); k++) {
+    const int i = where_own(others[k]);
+    if (i >= 0) mine[k] = side(i);
+  }
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_INT, MPI_MAX, world);
+
+  auto side_of = [&](tagint of) -> int {
+    const int j = where_own(of);
+    if (j >= 0) return side(j);
+    return all[std::lower_bound(others.begin(), others.end(), of) - others.begin()];
+  };
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++) {
+      const int of_partner = side_of(partner[i][k]);
+      if (of_partner != UNKNOWN && of_partner != side(i)) return true;    // UNKNOWN: deleted
+    }
+  return false;
 }
 
 bool FixSPHSolidPartners::on_any_rank(bool here) const
@@ -149,11 +167,11 @@ bool FixSPHSolidPartners::on_any_rank(bool here) const
   return any != 0;
 }
 
-bool FixSPHSolidPartners::anyone_without() const
+bool FixSPHSolidPartners::anyone_without(int **setflag) const
 {
   bool without = false;
   for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] < 0) without = true;
+    if (needs_reference(i, setflag)) without = true;
   return on_any_rank(without);
 }
 
@@ -161,7 +179,8 @@ bool FixSPHSolidPartners::anyone_without() const
    between runs commands can change what partners rely on
 ------------------------------------------------------------------------- */
 
-void FixSPHSolidPartners::require_same(const std::vector<double> &h)
+void FixSPHSolidPartners::require_same(const std::vector<double> &h,
+                                       const std::vector<double> &reach)
 {
   for (int i = 0; i < atom->nlocal; i++)
     if (npartner[i] > 0 && self[i] != atom->tag[i])
@@ -172,10 +191,8 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h)
                  atom->tag[i], self[i]);
 
   // of particles, and not of types: they can get another type as well
-  bool partners = false;
   for (int i = 0; i < atom->nlocal; i++) {
     if (npartner[i] <= 0) continue;
-    partners = true;
     const int t = atom->type[i];
     if (!same(h[t], href[i]))
       error->one(FLERR, Error::NOLASTLINE,
@@ -188,7 +205,9 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h)
   std::vector<double> now(3, 0.0);
   for (int d = 0; d < domain->dimension; d++)
     if (domain->periodicity[d]) now[d] = domain->prd[d];
-  if (!on_any_rank(partners) || lengths.size() != now.size()) lengths = now;
+  const bool partners = anyone_with();
+  if (partners) require_reach(reach);
+  if (!partners || lengths.size() != now.size()) lengths = now;
   for (int d = 0; d < 3; d++)
     if (!same(now[d], lengths[d]))
       error->all(FLERR, Error::NOLASTLINE,
@@ -198,14 +217,39 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h)
                  "xyz"[d], now[d], lengths[d]);
 }
 
+bool FixSPHSolidPartners::anyone_with() const
+{
+  bool partners = false;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (npartner[i] > 0) partners = true;
+  return on_any_rank(partners);
+}
+
+// pair_style may come again, with a correction that reaches further
+
+void FixSPHSolidPartners::require_reach(const std::vector<double> &reach) const
+{
+  for (std::size_t t = 1; t < std::min(reach.size(), reach_then.size()); t++)
+    if (reach[t] > (1.0 + SAME) * reach_then[t])
+      error->all(
+          FLERR, Error::NOLASTLINE,
+          "sph/solid, frame lagrangian: particles of type {} reach their partners at {:.6g} "
+          "and those of the reference lie within {:.6g}: expected a correction with a smaller "
+          "hbar, or fix_modify ... reference renew",
+          t, reach[t], reach_then[t]);
+}
+
 /* ----------------------------------------------------------------------
    the present configuration becomes the reference of all particles that have
    none: partners are all others of them inside the kernel
 ------------------------------------------------------------------------- */
 
 void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag,
-                                const std::vector<double> &h)
+                                const std::vector<double> &h, const std::vector<double> &reach)
 {
+  // what is left of an older reference goes on with the partners that it has
+  if (!anyone_with() || reach_then.size() != reach.size()) reach_then = reach;
+  for (std::size_t t = 1; t < reach.size(); t++) reach_then[t] = std::min(reach_then[t], reach[t]);
   drop_reused_ids();
   nchanges++;
 
@@ -237,7 +281,6 @@ void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag,
     self[i] = atom->tag[i];
     href[i] = static_cast<float>(h[atom->type[i]]);
   }
-  for (int i = 0; i < atom->nlocal; i++) npartner[i] = std::max(npartner[i], 0);
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) vref[i] = std::fabs(vref[i]);
 }
 
@@ -272,305 +315,6 @@ void FixSPHSolidPartners::present_partners(NeighList *list, int ii, double **cut
                "sph/solid, frame lagrangian: particle {} sees the same partner twice: the periodic "
                "box must be longer than two ranges of the kernel",
                atom->tag[i]);
-}
-
-/* ----------------------------------------------------------------------
-   where the partners are now
-------------------------------------------------------------------------- */
-
-void FixSPHSolidPartners::find(bool setup, int **setflag)
-{
-  nlocal = atom->nlocal;
-  own.clear();
-  index.clear();
-  count.assign(nlocal, 0);
-  row.assign(nlocal, nullptr);
-  std::vector<int> start(nlocal, 0);
-  std::vector<tagint> missing;
-  std::size_t most = 0;
-  for (int i = 0; i < nlocal; i++) most += std::max(npartner[i], 0);
-  index.reserve(most);
-  own.reserve(nlocal);
-  for (int i = 0; i < nlocal; i++) {
-    if (!setflag[atom->type[i]][atom->type[i]]) continue;
-    own.push_back(i);
-    start[i] = static_cast<int>(index.size());
-    for (int k = 0; k < npartner[i]; k++) {
-      const int j = where(partner[i][k]);
-      if (j < 0)
-        missing.push_back(partner[i][k]);
-      else
-        index.push_back(near_image(i, j));
-    }
-    count[i] = static_cast<int>(index.size()) - start[i];
-  }
-  for (const int i : own) row[i] = index.data() + start[i];
-  resolve_missing(missing, setup);
-  seen = fingerprint_of_ids();
-}
-
-// a quarter of the memory of a particle's partners, kept only for cover()
-
-bool FixSPHSolidPartners::forget_rows()
-{
-  if (follows_partners()) return false;
-  for (std::vector<int> *of : {&count, &index}) std::vector<int>().swap(*of);
-  std::vector<int *>().swap(row);
-  return true;
-}
-
-bool FixSPHSolidPartners::in_place() const
-{
-  return !periodic() && atom->nlocal == nlocal && seen == fingerprint_of_ids();
-}
-
-std::uint64_t FixSPHSolidPartners::fingerprint_of_ids() const
-{
-  const int n = atom->nlocal + atom->nghost;
-  SPHSolid::Fingerprint print(n);
-  for (int i = 0; i < n; i++) print.add(static_cast<double>(atom->tag[i]));
-  return print.value();
-}
-
-// local index of an ID, or -1: Atom::map() looks no further than the largest ID there is
-
-int FixSPHSolidPartners::where(tagint of) const
-{
-  return of < atom->get_map_size() ? atom->map(of) : -1;
-}
-
-// of two partners half a box apart nobody knows which image is the one that the material connects
-
-int FixSPHSolidPartners::near_image(int i, int j) const
-{
-  const int image = domain->closest_image(i, j);
-  const double *a = atom->x[i], *b = atom->x[image];
-  for (int d = 0; d < domain->dimension; d++)
-    if (domain->periodicity[d] && std::fabs(a[d] - b[d]) > LARGEST_SHARE * domain->prd[d])
-      error->one(FLERR, Error::NOLASTLINE,
-                 "sph/solid, frame lagrangian: particles {} and {} are partners and {:.6g} apart "
-                 "in step {}, nearly half the periodic box: expected one longer than {:.6g}",
-                 atom->tag[i], atom->tag[j], std::fabs(a[d] - b[d]), update->ntimestep,
-                 std::fabs(a[d] - b[d]) / LARGEST_SHARE);
-  return image;
-}
-
-std::vector<tagint> FixSPHSolidPartners::of_all_ranks(std::vector<tagint> &mine) const
-{
-  int n = static_cast<int>(mine.size());
-  std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
-  MPI_Allgather(&n, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
-  for (int k = 1; k < comm->nprocs; k++) starts[k] = starts[k - 1] + sizes[k - 1];
-  std::vector<tagint> all(starts.back() + sizes.back());
-  MPI_Allgatherv(mine.data(), n, MPI_LMP_TAGINT, all.data(), sizes.data(), starts.data(),
-                 MPI_LMP_TAGINT, world);
-  return all;
-}
-
-// particles have been deleted, and new ones have got their IDs
-
-void FixSPHSolidPartners::drop_reused_ids()
-{
-  bool any = false;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] > 0) any = true;
-  if (!on_any_rank(any)) return;    // as in a first run
-
-  std::vector<tagint> own_new, reused;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] < 0) own_new.push_back(atom->tag[i]);
-  std::vector<tagint> all_new = of_all_ranks(own_new);
-  std::sort(all_new.begin(), all_new.end());
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < npartner[i]; k++)
-      if (std::binary_search(all_new.begin(), all_new.end(), partner[i][k]))
-        reused.push_back(partner[i][k]);
-  std::vector<tagint> gone = of_all_ranks(reused);
-  if (!gone.empty()) drop(gone);
-}
-
-// a partner that is nowhere has been deleted (between runs) or lost; one that
-// exists on another rank lies beyond the ghost cutoff
-
-void FixSPHSolidPartners::resolve_missing(std::vector<tagint> &missing, bool setup)
-{
-  int mine = static_cast<int>(missing.size()), total = 0;
-  if (comm->nprocs == 1)
-    total = mine;
-  else if (setup)
-    MPI_Allreduce(&mine, &total, 1, MPI_INT, MPI_SUM, world);
-  else if (mine)
-    error->one(
-        FLERR, Error::NOLASTLINE,
-        "sph/solid, frame lagrangian: particle {} is a partner of one on rank {} but neither "
-        "there nor among its ghosts in step {}: it is lost, or further away than the ghost "
-        "cutoff: try comm_modify cutoff {:.6g}",
-        missing[0], comm->me, update->ntimestep, 2.0 * comm->get_comm_cutoff());
-  if (total == 0) return;
-  if (!setup)
-    error->one(FLERR, Error::NOLASTLINE,
-               "sph/solid, frame lagrangian: particle {} has been lost by step {} and its partners "
-               "cannot go on without it",
-               missing[0], update->ntimestep);
-
-  // every rank learns what is missing anywhere, and who has it
-  const std::vector<tagint> all = of_all_ranks(missing);
-  std::vector<int> have(total), anyone(total);
-  for (int k = 0; k < total; k++) {
-    const int i = where(all[k]);
-    have[k] = (i >= 0 && i < atom->nlocal) ? 1 : 0;
-  }
-  MPI_Allreduce(have.data(), anyone.data(), total, MPI_INT, MPI_MAX, world);
-  std::vector<tagint> gone;
-  for (int k = 0; k < total; k++) {
-    if (anyone[k])
-      error->all(
-          FLERR, Error::NOLASTLINE,
-          "sph/solid, frame lagrangian: particle {} lies further away from a partner than the "
-          "ghost cutoff: expected a line like comm_modify cutoff {:.6g}",
-          all[k], 2.0 * comm->get_comm_cutoff());
-    gone.push_back(all[k]);
-  }
-  drop(gone);
-}
-
-// particles of these IDs, the same list on every rank, are partners of nobody any more
-
-void FixSPHSolidPartners::drop(std::vector<tagint> &gone)
-{
-  nchanges++;
-  std::sort(gone.begin(), gone.end());
-  gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
-  for (int i = 0; i < atom->nlocal; i++) {
-    int kept = 0;
-    for (int k = 0; k < npartner[i]; k++)
-      if (!std::binary_search(gone.begin(), gone.end(), partner[i][k]))
-        partner[i][kept++] = partner[i][k];
-    if (npartner[i] > 0) npartner[i] = kept;
-  }
-  if (comm->me == 0)
-    utils::logmesg(lmp, "sph/solid: {} particles are gone, their partners go on without them\n",
-                   gone.size());
-}
-
-/* ----------------------------------------------------------------------
-   stretched pairs: the ghost cutoff follows the largest distance of partners
-------------------------------------------------------------------------- */
-
-double FixSPHSolidPartners::largest_distance() const
-{
-  double mine = 0.0, all = 0.0;
-  for (const int i : own)
-    for (int k = 0; k < count[i]; k++) {
-      const double *a = atom->x[i], *b = atom->x[row[i][k]];
-      double r2 = 0.0;
-      for (int d = 0; d < 3; d++) r2 += (a[d] - b[d]) * (a[d] - b[d]);
-      mine = std::max(mine, r2);
-    }
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return std::sqrt(all);
-}
-
-// the same without ghosts: who has a particle that is a partner elsewhere tells where it is
-
-double FixSPHSolidPartners::largest_distance_by_id() const
-{
-  auto own_of = [this](tagint of) {
-    const int i = where(of);
-    return i < atom->nlocal ? i : -1;
-  };
-  auto once = [](std::vector<tagint> &ids) {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  };
-  std::vector<tagint> wanted;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < npartner[i]; k++)
-      if (own_of(partner[i][k]) < 0) wanted.push_back(partner[i][k]);
-  once(wanted);
-  std::vector<tagint> all = of_all_ranks(wanted);
-  once(all);
-
-  const std::size_t n = all.size();
-  std::vector<double> mine(4 * n, 0.0), places(4 * n, 0.0);    // the fourth: is there one?
-  for (std::size_t k = 0; k < n; k++) {
-    const int i = own_of(all[k]);
-    if (i < 0) continue;
-    std::copy(atom->x[i], atom->x[i] + 3, &mine[4 * k]);
-    mine[4 * k + 3] = 1.0;
-  }
-  MPI_Allreduce(mine.data(), places.data(), static_cast<int>(4 * n), MPI_DOUBLE, MPI_SUM, world);
-
-  double most = 0.0, most_all = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < npartner[i]; k++) {
-      const tagint of = partner[i][k];
-      const int j = own_of(of);
-      const double *place = j >= 0 ? atom->x[j] : nullptr;
-      if (!place) {
-        const auto at = std::lower_bound(all.begin(), all.end(), of) - all.begin();
-        if (places[4 * at + 3] == 0.0) continue;    // it has been deleted
-        place = &places[4 * at];
-      }
-      most = std::max(most, square_of_distance(atom->x[i], place));
-    }
-  MPI_Allreduce(&most, &most_all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return std::sqrt(most_all);
-}
-
-// of the nearest images
-
-double FixSPHSolidPartners::square_of_distance(const double *a, const double *b) const
-{
-  double r2 = 0.0;
-  for (int d = 0; d < 3; d++) {
-    double apart = a[d] - b[d];
-    if (domain->periodicity[d]) apart -= domain->prd[d] * std::rint(apart / domain->prd[d]);
-    r2 += apart * apart;
-  }
-  return r2;
-}
-
-bool FixSPHSolidPartners::follows_partners() const
-{
-  return comm->nprocs > 1 || periodic();
-}
-
-void FixSPHSolidPartners::cover(double distance)
-{
-  distance += 0.5 * neighbor->skin;    // ghosts lag one step
-  if (distance < comm->get_comm_cutoff()) return;
-  comm->cutghostuser = COVER_MORE * distance;
-  if (comm->me == 0)
-    utils::logmesg(lmp,
-                   "sph/solid: ghost cutoff enlarged to {:.6g} in step {}: partners have moved "
-                   "apart\n",
-                   comm->cutghostuser, update->ntimestep);
-}
-
-// the next borders have to reach the partners as they are now, and the bins the ghosts that come
-
-void FixSPHSolidPartners::pre_exchange()
-{
-  if (!follows_partners()) return;
-  const double before = comm->cutghostuser;
-  cover(largest_distance());
-  if (comm->cutghostuser == before) return;
-  comm->setup();
-  if (neighbor->style) neighbor->setup_bins();
-}
-
-void FixSPHSolidPartners::post_run()
-{
-  if (follows_partners()) cover(largest_distance());
-}
-
-// before the first borders of a run: partners may have come apart by a command, or on the one rank
-// of the run that wrote the restart file
-
-void FixSPHSolidPartners::setup_pre_exchange()
-{
-  if (follows_partners()) cover(largest_distance_by_id());
 }
 
 /* ----------------------------------------------------------------------
@@ -708,13 +452,14 @@ void FixSPHSolidPartners::unpack_restart(int i, int nth)
   unpack_row(i, extra + m + 1);
 }
 
-// the lengths of the reference: their number, then they themselves
+// of the reference: how many numbers follow, lengths of the box in three directions, reach of the types
 
 void FixSPHSolidPartners::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;
-  std::vector<double> list(1, static_cast<double>(lengths.size()));
+  std::vector<double> list(1, static_cast<double>(lengths.size() + reach_then.size()));
   list.insert(list.end(), lengths.begin(), lengths.end());
+  list.insert(list.end(), reach_then.begin(), reach_then.end());
   const int size = static_cast<int>(list.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list.data(), sizeof(double), list.size(), fp);
@@ -724,8 +469,11 @@ void FixSPHSolidPartners::restart(char *buf)
 {
   double n;
   std::memcpy(&n, buf, sizeof(double));
-  lengths.resize(static_cast<std::size_t>(n));
-  std::memcpy(lengths.data(), buf + sizeof(double), lengths.size() * sizeof(double));
+  std::vector<double> list(static_cast<std::size_t>(n));
+  std::memcpy(list.data(), buf + sizeof(double), list.size() * sizeof(double));
+  const auto end_of_lengths = list.begin() + std::min<std::ptrdiff_t>(3, list.size());
+  lengths.assign(list.begin(), end_of_lengths);
+  reach_then.assign(end_of_lengths, list.end());
 }
 
 double FixSPHSolidPartners::memory_usage()

@@ -24,7 +24,12 @@ FixStyle(SPH/SOLID/PARTNERS,FixSPHSolidPartners);
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <vector>
+
+namespace SPHSolid {
+struct Ledger;
+}
 
 namespace LAMMPS_NS {
 
@@ -38,6 +43,9 @@ class FixSPHSolidPartners : public Fix {
   double *vref;     // reference volume, own and ghost [length^D]
   bool *gone;       // somebody's flag, set when this fix is deleted; nullptr: nobody's
 
+  // of the pair style that is gone, for the next one.  While there is one, this fix does nothing
+  std::unique_ptr<SPHSolid::Ledger> left;
+
   FixSPHSolidPartners(class LAMMPS *, int, char **);
   ~FixSPHSolidPartners() override;
   int setmask() override;
@@ -50,12 +58,14 @@ class FixSPHSolidPartners : public Fix {
 
   // particles of a group are without reference from now on
   void forget(int groupbit);
-  // stop unless IDs, box and smoothing lengths (of types, from 1) are those of the reference
-  void require_same(const std::vector<double> &h);
+  // stop unless IDs, box and smoothing lengths are those of the reference, and nobody looks for partners
+  // further away than it did (h, reach: of types, from 1)
+  void require_same(const std::vector<double> &h, const std::vector<double> &reach);
   // give those without one the present configuration; list: full neighbor list,
-  // setflag[t][t]: has type t a material; h: smoothing lengths of types, from 1
-  bool anyone_without() const;
-  void refer(class NeighList *list, double **cutsq, int **setflag, const std::vector<double> &h);
+  // setflag[t][t]: has type t a material; h, reach: of types, from 1, as above
+  bool anyone_without(int **setflag) const;
+  void refer(class NeighList *list, double **cutsq, int **setflag, const std::vector<double> &h,
+             const std::vector<double> &reach);
   // local indices of the partners of own particles, in the order of IDs; setup:
   // partners may have been deleted before
   void find(bool setup, int **setflag);
@@ -103,9 +113,12 @@ class FixSPHSolidPartners : public Fix {
   float *href;         // smoothing length: in single precision another one is still another one
   const int dim;
   int nchanges;
-  int maxpartner;    // columns of partner
+  int maxpartner;       // columns of partner
+  bool reach_is_new;    // the ghost cutoff has grown, and Comm does not know yet
   // lengths of the box that belong to the reference, 0 where it is not periodic
   std::vector<double> lengths;
+  std::vector<double>
+      reach_then;    // of types, from 1: partners are all up to there; empty: unknown
 
   // local view, valid until particles move between ranks
   int nlocal;    // particles, or -1
@@ -118,16 +131,21 @@ class FixSPHSolidPartners : public Fix {
   void widen(int);
   std::uint64_t fingerprint_of_ids() const;
   bool needs_reference(int i, int **setflag) const;
+  void require_reach(const std::vector<double> &reach) const;
+  bool anyone_with() const;
   void present_partners(class NeighList *list, int ii, double **cutsq,
                         std::vector<tagint> &found) const;
   int where(tagint) const;
+  int where_own(tagint) const;
+  std::vector<tagint> partners_elsewhere() const;
+  bool cuts_body(int groupbit) const;
   bool on_any_rank(bool) const;
   std::vector<tagint> of_all_ranks(std::vector<tagint> &mine) const;
   Bodies joined(const std::map<tagint, bigint> &sizes, const std::vector<tagint> &same,
                 bigint mixed) const;
   void drop_reused_ids();
   void resolve_missing(std::vector<tagint> &, bool setup);
-  void drop(std::vector<tagint> &gone);
+  void drop(std::vector<tagint> &ids);
   bool periodic() const;
   double largest_distance() const;
   double largest_distance_by_id() const;

@@ -64,7 +64,7 @@ FixSPHSolidPartners::Bodies FixSPHSolidPartners::bodies() const
   std::vector<std::pair<int, tagint>> cut;    // own particle, ID of its partner elsewhere
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < npartner[i]; k++) {
-      const int j = atom->map(partner[i][k]);    // an own particle rather than its image
+      const int j = where(partner[i][k]);    // an own particle rather than its image
       if (j >= 0 && type[j] != type[i]) mixed++;
       if (j >= 0 && j < atom->nlocal)
         here.join(i, j);
@@ -77,7 +77,7 @@ FixSPHSolidPartners::Bodies FixSPHSolidPartners::bodies() const
   std::vector<tagint> same;    // two names of one body
   const std::vector<tagint> all_pairs = of_all_ranks(pairs);
   for (std::size_t k = 0; k < all_pairs.size(); k += 2) {
-    const int j = atom->map(all_pairs[k + 1]);
+    const int j = where(all_pairs[k + 1]);
     if (j >= 0 && j < atom->nlocal) same.insert(same.end(), {all_pairs[k], tag[here.root(j)]});
   }
 

@@ -21,6 +21,7 @@
 #include "fix_sph_solid.h"
 #include "modify.h"
 #include "pair_sph_solid.h"
+#include "sph_solid_blocks.h"
 #include "sph_solid_space.h"
 #include "update.h"
 
@@ -33,6 +34,10 @@ using namespace FixConst;
 
 // a particle this close to the plane, in smoothing lengths, is on it
 static constexpr double ON_PLANE = 1.0e-6;
+
+// and this far behind a contact wall it may be between runs: it has landed there with a step that became
+// another one on the way
+static constexpr double BEHIND = 1.0e-4;
 
 // a reaction brings particles to rest on the plane over steps of its own length, and slows them
 // down over others; from three times as long ones it would throw them back faster than they came
@@ -135,7 +140,7 @@ void FixSPHSolidWall::require_in_front() const
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit) || !pair->has_material(i)) continue;
     const double y = normal * (atom->x[i][dim] - plane);
-    if (y < -ON_PLANE * pair->smoothing_length(i))
+    if (y < -(symmetry ? ON_PLANE : BEHIND) * pair->smoothing_length(i))
       error->one(
           FLERR, Error::NOLASTLINE,
           "Fix sph/solid/wall {}: particle {} at {:.8g} {:.8g} {:.8g} lies behind the wall at "
@@ -256,23 +261,24 @@ double FixSPHSolidWall::energy_taken(LAMMPS *lmp)
 }
 
 /* ----------------------------------------------------------------------
-   restart: the work so far; the pending sums follow from the setup
+   restart: the work so far, and which wall did it; the pending sums follow from the setup
 ------------------------------------------------------------------------- */
 
 void FixSPHSolidWall::write_restart(FILE *fp)
 {
-  double total = compute_scalar();
+  const double list[4] = {compute_scalar(), static_cast<double>(dim), normal, plane};
   if (comm->me == 0) {
-    int size = sizeof(double);
+    int size = sizeof(list);
     fwrite(&size, sizeof(int), 1, fp);
-    fwrite(&total, sizeof(double), 1, fp);
+    fwrite(list, sizeof(double), 4, fp);
   }
 }
 
 void FixSPHSolidWall::restart(char *buf)
 {
-  double total;
-  std::memcpy(&total, buf, sizeof(double));
-  work = (comm->me == 0) ? total : 0.0;
-  added = false;
+  double list[4];
+  std::memcpy(list, buf, sizeof(list));
+  work = (comm->me == 0) ? list[0] : 0.0;
+  added =
+      !(list[1] == dim && list[2] == normal && list[3] == plane);    // another wall of that name
 }

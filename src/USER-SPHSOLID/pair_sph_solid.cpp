@@ -29,11 +29,13 @@
 #include "neighbor.h"
 #include "npair.h"
 #include "nstencil.h"
+#include "pair_hybrid.h"
 #include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
 #include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
+#include "sph_solid_vector.h"
 #include "update.h"
 
 #include <algorithm>
@@ -83,9 +85,9 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
   displacement_time = courant_number = 0.0;
   resonance_wanted = false;
   resonance_of = 0;
-  resume = resumed = warned_lost = warned_overload = logged = false;
+  resume = resumed = warned_lost = warned_overload = logged = apart_logged = false;
   message_of_sweeps = half_step_kept = true;
-  integrated = list_threads = 0;
+  integrated = kicked = list_threads = 0;
   evaluated_own = evaluated_all = -1;
 }
 
@@ -95,7 +97,7 @@ PairSPHSolid::~PairSPHSolid()
     memory->destroy(setflag);
     memory->destroy(cutsq);
   }
-  delete_partners();
+  leave_partners();
   delete options;
   delete[] types;
   delete sweeps;
@@ -164,17 +166,19 @@ void PairSPHSolid::new_neighbors(bool setup)
 {
   bool refers = false;
   require_state();
-  if (!partners)
+  if (setup) log_apart();
+  if (!partners) {
+    if (setup) require_distinct_places();
     sort_rows();
-  else {
+  } else {
     if (!setup && partners->in_place()) return;
-    if (setup) partners->require_same(smoothing_lengths());
-    refers = setup && partners->anyone_without();
+    if (setup) partners->require_same(smoothing_lengths(), cutoffs());
+    refers = setup && partners->anyone_without(setflag);
     if (refers) {
       // LAMMPS keeps the stencil of bins that have become others in the same step
       if (list->np && list->np->ns) list->np->ns->last_stencil = -1;
       neighbor->build_one(list);
-      partners->refer(list, cutsq, setflag, smoothing_lengths());
+      partners->refer(list, cutsq, setflag, smoothing_lengths(), cutoffs());
       empty_list();
     }
     partners->find(setup, setflag);
@@ -242,6 +246,40 @@ void PairSPHSolid::log_bodies()
       n, sizes[0], sizes[1]);
 }
 
+// pair_coeff of a hybrid may give two types another style and not this one
+
+void PairSPHSolid::log_apart()
+{
+  auto *hybrid = dynamic_cast<PairHybrid *>(force->pair);
+  if (!hybrid || apart_logged) return;
+  apart_logged = true;
+  char style[] = "sph/solid";
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i + 1; j <= atom->ntypes; j++)
+      if (setflag[i][i] && setflag[j][j] && !hybrid->check_ijtype(i, j, style) && comm->me == 0)
+        utils::logmesg(lmp,
+                       "sph/solid: particles of types {} and {} do not act on each other by this "
+                       "style: pair_coeff gives them another one only\n",
+                       i, j);
+}
+
+// two particles at one place have been created twice
+
+void PairSPHSolid::require_distinct_places() const
+{
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const double *a = atom->x[i], *b = atom->x[j];
+      if (a[0] == b[0] && a[1] == b[1] && a[2] == b[2])
+        error->one(FLERR, Error::NOLASTLINE,
+                   "sph/solid: particles {} and {} lie at the same place {:.8g} {:.8g} {:.8g}",
+                   atom->tag[i], atom->tag[j], a[0], a[1], a[2]);
+    }
+  }
+}
+
 // what has served to arrange partners leaves holes below the arrays that stay, which are a tenth of
 // all memory: the C library keeps them unless it is asked
 
@@ -268,12 +306,18 @@ double PairSPHSolid::largest_smoothing_length() const
 
 // of the types with a material; Pair::cutforce is that of the whole pair style, and in a hybrid 0
 
+std::vector<double> PairSPHSolid::cutoffs()
+{
+  std::vector<double> cut(atom->ntypes + 1, 0.0);
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (setflag[t][t]) cut[t] = init_one(t, t);
+  return cut;
+}
+
 double PairSPHSolid::largest_cutoff()
 {
-  double cut = 0.0;
-  for (int t = 1; t <= atom->ntypes; t++)
-    if (setflag[t][t]) cut = std::max(cut, init_one(t, t));
-  return cut;
+  const std::vector<double> cut = cutoffs();
+  return *std::max_element(cut.begin(), cut.end());
 }
 
 // partners are known, and in three dimensions their neighbor list is a tenth of all memory: give its
@@ -310,14 +354,29 @@ void PairSPHSolid::create_partners()
   want_map();
   require_partners();
   if (partners) return;
-  partners = dynamic_cast<FixSPHSolidPartners *>(
-      modify->add_fix(std::string(PARTNERS_ID) + " all SPH/SOLID/PARTNERS"));
+  partners = dynamic_cast<FixSPHSolidPartners *>(modify->get_fix_by_id(PARTNERS_ID));
+  if (partners && partners->left)
+    sweeps->ledger = *partners->left;
+  else
+    partners = dynamic_cast<FixSPHSolidPartners *>(
+        modify->add_fix(std::string(PARTNERS_ID) + " all SPH/SOLID/PARTNERS"));
+  partners->left.reset();
   partners->gone = &partners_gone;
+}
+
+// a pair_style command that makes this style anew (hybrid does so even if it is the same) changes neither
+// the reference nor the energy ledger
+
+void PairSPHSolid::leave_partners()
+{
+  if (!partners || partners_gone) return;
+  partners->left = std::make_unique<Ledger>(ledger());
+  partners->gone = nullptr;
 }
 
 void PairSPHSolid::delete_partners()
 {
-  if (partners && !partners_gone) modify->delete_fix(PARTNERS_ID);
+  if (modify->get_fix_by_id(PARTNERS_ID)) modify->delete_fix(PARTNERS_ID);
   partners = nullptr;
   partners_gone = false;
   resonance_of = 0;
@@ -394,6 +453,13 @@ void PairSPHSolid::keep_half_step()
 
 void PairSPHSolid::sort_rows()
 {
+  bigint candidates = 0;
+  for (int ii = 0; ii < list->inum; ii++) candidates += list->numneigh[list->ilist[ii]] + 2 * LANES;
+  if (candidates > MAXSMALLINT)
+    error->one(FLERR, Error::NOLASTLINE,
+               "sph/solid: the particles of rank {} have {} neighbors, and at most {} can be "
+               "counted: expected more ranks",
+               comm->me, candidates, MAXSMALLINT);
   const tagint *tag = atom->tag;
   double **x = atom->x;
   auto before = [tag, x](int a, int b) {
@@ -461,7 +527,7 @@ void PairSPHSolid::warn_lost_neighbors()
     if (!strained || sweeps->neighbor_count(i) > 0) continue;
     error->warning(FLERR,
                    "sph/solid: particle {} at {:.8g} {:.8g} {:.8g} has lost all its neighbors by "
-                   "step {}: its body is breaking up (further ones are not reported)",
+                   "step {}: its body is breaking up (further ones of this rank are not reported)",
                    atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2], update->ntimestep);
     warned_lost = true;
     return;

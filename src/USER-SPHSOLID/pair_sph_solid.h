@@ -132,10 +132,12 @@ class PairSPHSolid : public Pair {
   bool resumed;                 // the last evaluation was such a setup
   bool half_step_kept;          // its velocities are stored, if there was one
   int integrated;               // group bits of all fix sph/solid
+  int kicked;                   // and of fixes that kick by force over mass as well
   bool warned_lost;             // warn once per run
   bool warned_overload;
   int evaluated_own, evaluated_all;    // particles of the last evaluation, -1: none
   bool logged;                         // the materials are in the log
+  bool apart_logged;                   // and types that do not act on each other
   int list_threads;                    // each has pages of its own in the neighbor list
 
   void allocate();
@@ -153,16 +155,20 @@ class PairSPHSolid : public Pair {
   void collect_planes();
   void want_map();
   double largest_cutoff();
+  std::vector<double> cutoffs();
   std::vector<double> smoothing_lengths() const;
   void create_partners();
+  void leave_partners();
   void delete_partners();
   void require_partners() const;
   void new_neighbors(bool);
   void log_uncorrected();
   void log_bodies();
+  void log_apart();
   bool has_unlike_materials() const;
   void empty_list();
   void sort_rows();
+  void require_distinct_places() const;
   static void give_back_freed_memory();
   void pack_kinematics(bool);
   void swap_half_step();

@@ -22,6 +22,7 @@
 #include "error.h"
 #include "fix.h"
 #include "force.h"
+#include "group.h"
 #include "modify.h"
 #include "sph_solid_sweeps.h"
 #include "update.h"
@@ -45,7 +46,9 @@ static constexpr double ODD_DENSITY = 0.1;
 PairSPHSolid *PairSPHSolid::ready(LAMMPS *lmp)
 {
   auto *pair = dynamic_cast<PairSPHSolid *>(lmp->force->pair_match("sph/solid", 1));
-  return pair && pair->sweeps ? pair : nullptr;
+  if (!pair || !pair->sweeps) return nullptr;
+  pair->own = AtomVecSPHSolid::arrays(lmp->atom);    // replicate makes another Atom
+  return pair->own ? pair : nullptr;
 }
 
 PairSPHSolid *PairSPHSolid::find_ready(LAMMPS *lmp, const char *caller)
@@ -70,9 +73,14 @@ void PairSPHSolid::require_environment()
   if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
     error->all(FLERR, "Pair style sph/solid works in units si, cgs, micro, nano or lj, not in {}",
                units);
+  if (utils::strmatch(force->pair_style, "^hybrid/scaled"))
+    error->all(FLERR,
+               "Pair style sph/solid cannot be part of pair style {}, which would scale forces and "
+               "not the heat that belongs to them: expected hybrid or hybrid/overlay",
+               force->pair_style);
   if (update->whichflag == 2)
     error->all(FLERR, "Pair style sph/solid carries a history and cannot be minimized");
-  if (!(update->dt >= 0.0))
+  if (!(update->dt > 0.0))
     error->all(FLERR,
                "Pair style sph/solid: the time step is {}: expected timestep with a value > 0",
                update->dt);
@@ -95,8 +103,12 @@ void PairSPHSolid::require_one_integrator()
                "Pair style sph/solid: no time integration: expected a command like "
                "'fix 1 all sph/solid'");
 
-  for (const auto &fix : modify->get_fix_list())
-    if (fix->time_integrate && strcmp(fix->style, "sph/solid") != 0) require_apart(fix);
+  kicked = integrated;
+  for (const auto &fix : modify->get_fix_list()) {
+    if (!fix->time_integrate || strcmp(fix->style, "sph/solid") == 0) continue;
+    require_apart(fix);
+    if (strcmp(fix->style, "nve") == 0) kicked |= fix->groupbit;
+  }
   if (update->whichflag == 1) warn_idle_velocities();
 }
 
@@ -104,16 +116,20 @@ void PairSPHSolid::require_one_integrator()
 
 void PairSPHSolid::warn_idle_velocities()
 {
-  int movers = 0, mine = 0, all = 0;
+  int movers = 0;
+  bigint mine = 0, all = 0;
   for (const auto &fix : modify->get_fix_list())
-    if (fix->time_integrate) movers |= fix->groupbit;
+    if (fix->time_integrate) {
+      if (group->dynamic[fix->igroup]) return;    // its members are not known yet
+      movers |= fix->groupbit;
+    }
   for (int i = 0; i < atom->nlocal; i++) {
     const double *v = atom->v[i];
     const int t = atom->type[i];
     if ((atom->mask[i] & movers) || !setflag[t][t]) continue;
     if (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0) mine++;
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all && comm->me == 0)
     error->warning(FLERR,
                    "sph/solid: {} particles have a velocity and no fix moves them: their neighbors "
@@ -125,10 +141,10 @@ void PairSPHSolid::warn_idle_velocities()
 
 void PairSPHSolid::require_apart(const Fix *fix)
 {
-  int twice = 0, twice_all = 0;
+  bigint twice = 0, twice_all = 0;
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & fix->groupbit) && (atom->mask[i] & integrated)) twice++;
-  MPI_Allreduce(&twice, &twice_all, 1, MPI_INT, MPI_SUM, world);
+  MPI_Allreduce(&twice, &twice_all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (twice_all)
     error->all(FLERR,
                "Pair style sph/solid: fix {} of style {} moves {} particles that a fix "
@@ -154,7 +170,7 @@ void PairSPHSolid::require_cold_materials()
     if (setflag[i][i] && types[i].material.Gamma != 0.0)
       error->all(FLERR,
                  "Pair style sph/solid: the pressure of type {} depends on its internal energy, "
-                 "Gamma = {}: expected energy yes, or gamma 0",
+                 "Gamma = {}: expected energy yes, or eos mie-gruneisen with Gamma 0",
                  i, types[i].material.Gamma);
 }
 
@@ -165,7 +181,7 @@ void PairSPHSolid::require_cold_materials()
 
 void PairSPHSolid::require_plausible_state()
 {
-  int mine = 0, all = 0;
+  bigint mine = 0, all = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     const int t = atom->type[i];
     if (!setflag[t][t]) continue;
@@ -179,7 +195,7 @@ void PairSPHSolid::require_plausible_state()
     const double share = reference_density(atom->rmass[i], atom->vfrac[i]) / types[t].material.rho0;
     if (share < 1.0 / ODD_MASS || share > ODD_MASS) mine++;
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all && comm->me == 0)
     error->warning(FLERR,
                    "sph/solid: the mass of {} particles is less than half or more than twice their "
@@ -194,7 +210,7 @@ void PairSPHSolid::require_plausible_state()
 
 void PairSPHSolid::warn_odd_densities()
 {
-  int mine = 0, all = 0;
+  bigint mine = 0, all = 0;
   tagint first = MAXTAGINT, first_all = 0;
   double numbers[2] = {}, numbers_all[2] = {};    // of the first: density, mass over volume
   for (int i = 0; i < atom->nlocal; i++) {
@@ -212,7 +228,7 @@ void PairSPHSolid::warn_odd_densities()
     numbers[0] = atom->rho[i];
     numbers[1] = at_rest;
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (!all) return;
   MPI_Allreduce(&first, &first_all, 1, MPI_LMP_TAGINT, MPI_MIN, world);
   if (first != first_all) numbers[0] = numbers[1] = 0.0;

@@ -44,7 +44,8 @@ static constexpr double SAFETY = 0.85;
 static constexpr int LEAST_ITERATIONS = 20, MOST_ITERATIONS = 200, LOOK_BACK = 5;
 static constexpr double CONVERGED = 2.0e-3;
 
-// once for the same bodies: commands between runs may delete some and give others another mass or type
+// once for the same bodies: commands between runs may delete some, give others another mass or type, or
+// take a symmetry plane away
 
 void PairSPHSolid::find_courant_number()
 {
@@ -65,6 +66,10 @@ std::uint64_t PairSPHSolid::mark_of_bodies() const
   }
   Fingerprint with_changes(sum_over_ranks(mark, world));
   with_changes.add(partners->changes());
+  for (const Plane &plane : sweeps->images.all_planes()) {
+    with_changes.add(plane.dim);
+    with_changes.add(plane.position);
+  }
   return with_changes.value() | 1;
 }
 
@@ -154,7 +159,7 @@ void PairSPHSolid::take_courant_number(double rate)
     courant_number = std::min(courant_number, taken);
     if (h_over_c.wide()) find_limit_factors(taken / courant_number * h_over_c.least);
   }
-  if (comm->me == 0)
+  if (comm->me == 0 && std::isfinite(stable))
     utils::logmesg(lmp,
                    "sph/solid: the reference is stable up to a Courant number of {:.4g}, fix "
                    "sph/solid/dt auto takes {:.4g}\n",

@@ -91,15 +91,15 @@ void PairSPHSolid::coeff(int narg, char **arg)
   parse_material(lmp, material, words, update->unit_style, where);
   check_material(lmp, material, where);
 
-  int count = 0;
-  for (int i = std::max(ilo, jlo); i <= std::min(ihi, jhi); i++) {
+  // pairs of these types, too: a hybrid has to know that they act on each other
+  const int first = std::max(ilo, jlo), last = std::min(ihi, jhi), count = last - first + 1;
+  for (int i = first; i <= last; i++) {
     types[i].material = material;
-    setflag[i][i] = 1;
-    count++;
+    for (int j = i; j <= last; j++) setflag[i][j] = 1;
   }
-  logged = false;
+  logged = apart_logged = false;
   resonance_of = 0;
-  if (count == 0)
+  if (count <= 0)
     error->all(FLERR,
                "{}: a material belongs to one type: expected I = J or ranges with common "
                "types (pairs of types use the mean of both)",
@@ -262,7 +262,7 @@ void PairSPHSolid::read_restart(FILE *fp)
 
 // settings and materials are written as they lie in memory: a number to change with them, and sizes
 
-static constexpr int LAYOUT[3] = {1, sizeof(Options), sizeof(Material)};
+static constexpr int LAYOUT[3] = {2, sizeof(Options), sizeof(Material)};
 
 void PairSPHSolid::write_restart_settings(FILE *fp)
 {

@@ -54,7 +54,7 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool 
       const int n = std::min(CHUNK, end - first);
       for (int k = 0; k < n; k++) {
         const double *v = p.v[first + k], *f = p.f[first + k];
-        const double a = (mask[first + k] & integrated) ? a_scale / p.mass[first + k] : 0.0;
+        const double a = (mask[first + k] & kicked) ? a_scale / p.mass[first + k] : 0.0;
         for (int c = 0; c < 3; c++) u[3 * k + c] = v_scale * v[c] + a * f[c];
       }
       sweeps->displace(p, first, n, u);
@@ -144,7 +144,11 @@ void PairSPHSolid::require_current(const char *what) const
                "{} needs the forces of the last step, which a new run and commands such as "
                "write_restart and write_data forget: expected a 'run 0' before",
                what);
-  if (evaluated_own != atom->nlocal || evaluated_all != atom->nlocal + atom->nghost)
+  // a command may have changed those of some ranks only
+  int mine = evaluated_own != atom->nlocal || evaluated_all != atom->nlocal + atom->nghost ? 1 : 0;
+  int any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any)
     error->all(FLERR, Error::NOLASTLINE,
                "{} needs the forces of the last step, and a command since then has changed the "
                "particles or their order: expected a 'run 0' before",

@@ -12,9 +12,9 @@
 ------------------------------------------------------------------------- */
 
 /* ----------------------------------------------------------------------
-   Every difference between the LAMMPS versions this package supports
-   (4 Feb 2025 to 4 Jul 2026).  No other file tests SPHSOLID_LMP_VERSION,
-   which the build system takes from LAMMPS's version.h (YYYYMMDD).
+   The LAMMPS versions that this package supports, 4 Feb 2025 to 4 Jul 2026, and
+   the place for what differs between them: nothing yet.  SPHSOLID_LMP_VERSION (YYYYMMDD) is
+   taken from LAMMPS's version.h by the build system.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_COMPAT_H

@@ -47,7 +47,11 @@ template <int D> void EulerianSweeps<D>::size_rows(const Particles &p)
   for (std::vector<int> *of : {&pairs.first, &pairs.count, &pairs.near_first, &pairs.nearest})
     of->assign(p.nlocal, 0);
   each_share(nthreads, nrows, [&](int first, int end) {
-    for (int row = first; row < end; row++) pack_constants(p, source_of(row), kin(row));
+    for (int row = first; row < end; row++) {
+      pack_constants(p, source_of(row), kin(row));
+      // who has no material (in a hybrid) has no stress either, and is not lonely
+      if (!Base::has_material(p, source_of(row))) str(row)[Str::NSUM] = 1.0;
+    }
   });
 }
 
@@ -173,6 +177,7 @@ template <int D>
 void EulerianSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
 {
   if (what == Message::DISPLACEMENT) return displace(p, i, 1, in);
+  if (what == Message::STRESS && !Base::has_material(p, i)) return;    // the row's owner has none
   std::copy(in, in + message_size(what), place_of(what, i));
   if (what == Message::STRESS) p.rho[i] = in[Str::RHO];
 }

@@ -42,14 +42,15 @@ class Images {
   bool any() const { return !planes.empty(); }
   int count() const { return static_cast<int>(source.size()); }
 
-  // find all images of the nall particles at x; called when neighbors change
-  void find(int nall, const double *const *x, double reach)
+  // find all images of those of the nall particles at x that have any; called when neighbors change
+  template <class Call> void find(int nall, const double *const *x, double reach, Call has_images)
   {
     source.clear();
     bits.clear();
     first.assign(nall + 1, 0);
     for (int i = 0; i < nall; i++) {
       first[i] = count();
+      if (!has_images(i)) continue;
       for (int b = 1; b < (1 << planes.size()); b++)
         if (within(x[i], b, reach)) {
           source.push_back(i);

@@ -160,7 +160,9 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
     const Pack all = of_block.sum();
     for (int m = 0; m < batch.n; m++) heat[batch.i[m]] = all[m];
   });
-  if (book) Base::enter(totals, 1.0);
+  if (!book) return;
+  Base::enter(totals, 1.0);
+  early_totals = {};    // of the same forces
 }
 
 /* ----------------------------------------------------------------------

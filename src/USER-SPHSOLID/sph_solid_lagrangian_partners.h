@@ -118,8 +118,9 @@ void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &
   };
 
   own.assign(list.ilist, list.ilist + list.inum);
-  std::vector<int> ghosts(p.nall - p.nlocal), mirrored(images.count());
-  std::iota(ghosts.begin(), ghosts.end(), p.nlocal);
+  std::vector<int> ghosts, mirrored(images.count());
+  for (int i = p.nlocal; i < p.nall; i++)
+    if (Base::has_material(p, i)) ghosts.push_back(i);
   std::iota(mirrored.begin(), mirrored.end(), p.nall);
   sort(own);
   sort(ghosts);
@@ -136,8 +137,8 @@ void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &
 /* ----------------------------------------------------------------------
    reference positions of rows, D doubles each.  Bodies cross a periodic box, and
    their reference does not: move reference positions by whole boxes until partners are
-   neighbors there, too.  How many boxes two rows are to be apart follows from where they
-   are now, so that it is the same from every particle that has both as partners
+   neighbors there, too.  The nearest image in the reference is the right one: a
+   body is longer than two ranges of the kernel, or two of its partners would be one
 ------------------------------------------------------------------------- */
 
 template <int D>

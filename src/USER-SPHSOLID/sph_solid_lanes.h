@@ -14,7 +14,7 @@
 /* ----------------------------------------------------------------------
    What a pair needs, in packs of blocks: differences of motion, tensors of a
    row, and products of the two, alike in two and three dimensions.  A pack
-   has one block, or two for two pairs at a time (sph_solid_vector.h).
+   has one block, or two for two pairs at a time (sph_solid_blocks.h).
 
    In two dimensions one block holds a whole tensor, T = {xx, xy, yx, yy}, and a
    vector a takes part in products either "spread", {ax, ay, ax, ay}, or
@@ -30,6 +30,7 @@
 #ifndef LMP_SPH_SOLID_LANES_H
 #define LMP_SPH_SOLID_LANES_H
 
+#include "sph_solid_blocks.h"
 #include "sph_solid_rows.h"
 #include "sph_solid_tensor.h"
 

@@ -106,6 +106,7 @@ void parse_eos(LAMMPS *lmp, Material &m, Words &words, const Converter &to,
                const std::string &where)
 {
   const std::string &name = words.next("mie-gruneisen or linear");
+  m.C = m.S = m.Gamma = m.K = 0.0;    // of a card that this keyword replaces
   if (name == "mie-gruneisen") {
     m.eos = EOS::MIE_GRUNEISEN;
     m.C = words.number("eos mie-gruneisen", "C") * to.velocity();
@@ -187,7 +188,8 @@ class Card {
     for (int number = 1; problem.empty() && utils::fgets_trunc(line, MAXLINE, in); number++)
       take(number, utils::split_words(utils::trim_comment(line)));
     fclose(in);
-    if (problem.empty() && !seen) complain(0, "has no material '" + name + "': it holds" + found);
+    if (problem.empty() && !seen)
+      complain(0, "has no material '" + name + "': it holds" + (found.empty() ? " none" : found));
   }
 
  private:
@@ -357,7 +359,7 @@ void SPHSolid::log_material(LAMMPS *lmp, int type, const Material &m, double h, 
                         "nearest neighbors: expected 0.8 or more",
                         type, h / spacing);
 
-  // the seed's own iron: C from shock data, E and mu from elastic tests
+  // Shaw and Reid's iron: C from shock data, E and mu from elastic tests
   if (m.young > 0.0) {
     const double K = m.young * m.shear / (3.0 * (3.0 * m.shear - m.young));
     if (std::fabs(K - m.bulk_modulus()) > 0.05 * K)

@@ -116,9 +116,22 @@ void parse_correct(Options &o, Reader &r)
 
 const char VISCOSITIES[] = "none, monaghan, correct, limited, balsara or front";
 
+// the last of several keywords counts, with nothing left of those before
+
+void forget_viscosity(Options &o)
+{
+  const Options usual;
+  o.a1 = usual.a1;
+  o.a2 = usual.a2;
+  o.hbar = usual.hbar;
+  o.weights = usual.weights;
+  o.heating = usual.heating;
+}
+
 void parse_viscosity(Options &o, Reader &r)
 {
   const std::string form = r.word("viscosity", VISCOSITIES);
+  forget_viscosity(o);
   if (form == "none")
     o.viscosity = Viscosity::NONE;
   else if (form == "monaghan") {

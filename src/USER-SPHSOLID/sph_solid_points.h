@@ -136,6 +136,9 @@ template <int D> class PointSweeps : public Sweeps {
   }
   template <class Real> Real step_limit(Real h, Real shear, Real rho, Real c, Real mu_max) const;
 
+  // in a hybrid, others may have none
+  bool has_material(const Particles &p, int i) const { return types[p.type[i]].h > 0.0; }
+
   // as many own particles as there are lanes; at the end of a list the last one fills up
   struct Batch {
     int i[LANES], n;
@@ -271,7 +274,9 @@ void PointSweeps<D>::find_image_candidates(const Particles &p, const NeighborRow
                                            double reach)
 {
   if (!images.any()) return;
-  images.find(p.nall, x, reach);
+  images.find(p.nall, x, reach, [&](int i) {
+    return has_material(p, i);
+  });
   image_first.assign(p.nlocal + 1, 0);
   image_j.clear();
   std::vector<char> listed(p.nlocal, 0);

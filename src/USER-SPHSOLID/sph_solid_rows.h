@@ -22,14 +22,14 @@
 #ifndef LMP_SPH_SOLID_ROWS_H
 #define LMP_SPH_SOLID_ROWS_H
 
+#include "sph_solid_blocks.h"
 #include "sph_solid_storage.h"
-#include "sph_solid_vector.h"
 
 #include <vector>
 
 namespace SPHSolid {
 
-// Rows consist of blocks of four doubles (sph_solid_vector.h).  A vector takes
+// Rows consist of blocks of four doubles (sph_solid_blocks.h).  A vector takes
 // half a block in two dimensions and one block, the last double 0, in three.  A
 // tensor T takes one block in two dimensions, row by row; in three one block per
 // column, so that T.a is a sum of blocks times components of a

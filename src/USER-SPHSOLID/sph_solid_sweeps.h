@@ -109,7 +109,7 @@ struct TypeData {
   double spacing = 0.0;    // particle spacing, cube (2d: square) root of the largest volume
 };
 
-// sums over own particles since the start of the run [energy]
+// sums over own particles since the first run, restart files included [energy]
 
 struct Ledger {
   double plastic_work = 0.0;

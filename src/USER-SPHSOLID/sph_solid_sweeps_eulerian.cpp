@@ -89,6 +89,13 @@ template <int D> struct EulerianSweeps<D>::Scratch {
   std::vector<double> far_r2, far_h;
 };
 
+// of a pair with so large a sum of smoothing lengths
+
+inline double reach_of(double sum_of_h)
+{
+  return 0.5 * SUPPORT * sum_of_h;
+}
+
 // append those of a candidate list that are inside the kernel
 
 template <int D>
@@ -103,7 +110,8 @@ void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
   std::copy(ri + Kin::X, ri + Kin::X + D, x);
   int jj = 0;
   if constexpr (COLLECTS_LANES && D == 3 && UNIFORM && !IMAGES) {    // rows are long
-    const Pack own = load_block(ri), reach2(4.0 * own_h * own_h), support2(own_near * own_near);
+    const Pack own = load_block(ri), reach2(reach_of(2.0 * own_h) * reach_of(2.0 * own_h)),
+               support2(own_near * own_near);
     for (; jj + LANES <= n; jj += LANES) {
       int j[LANES];
       for (int m = 0; m < LANES; m++) j[m] = list[jj + m] & INDEX_MASK;
@@ -122,13 +130,13 @@ void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
     const double *rj = kall + static_cast<std::ptrdiff_t>(j) * stride_of<UNIFORM>();
     double r2 = (x[0] - rj[0]) * (x[0] - rj[0]);
     for (int a = 1; a < D; a++) r2 = multiply_add(x[a] - rj[a], x[a] - rj[a], r2);
-    const double reach = own_h + (UNIFORM ? own_h : rj[Kin::H]);    // 2 h_ij
+    const double two_h = own_h + (UNIFORM ? own_h : rj[Kin::H]), reach = reach_of(two_h);
     const double support = 0.5 * (own_near + (UNIFORM ? own_near : rj[Kin::NEAR]));
-    if (IMAGES && r2 < COINCIDE * COINCIDE * reach * reach) continue;    // itself
+    if (IMAGES && r2 < COINCIDE * COINCIDE * two_h * two_h) continue;    // itself
     if (r2 < support * support)
-      near.add(j, r2, 0.5 * reach, UNIFORM);
+      near.add(j, r2, 0.5 * two_h, UNIFORM);
     else if (r2 < reach * reach)
-      far.add(j, r2, 0.5 * reach, UNIFORM);
+      far.add(j, r2, 0.5 * two_h, UNIFORM);
   }
   s.near = near;
   s.far = far;

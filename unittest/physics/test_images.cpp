@@ -17,14 +17,19 @@ using Point = std::array<double, 3>;
 
 // all images of some points as a sorted set of positions
 
-std::multiset<Point> images_of(const std::vector<Plane> &planes, std::vector<Point> points,
-                               double reach)
+std::multiset<Point> images_of(
+    const std::vector<Plane> &planes, std::vector<Point> points, double reach,
+    bool (*has_images)(const Point &) = [](const Point &) {
+      return true;
+    })
 {
   std::vector<const double *> x;
   for (auto &p : points) x.push_back(p.data());
   Images images;
   images.set_planes(planes);
-  images.find(static_cast<int>(points.size()), x.data(), reach);
+  images.find(static_cast<int>(points.size()), x.data(), reach, [&](int i) {
+    return has_images(points[i]);
+  });
   std::multiset<Point> out;
   for (int k = 0; k < images.count(); k++) {
     Point at;
@@ -58,6 +63,15 @@ TEST(Images, PositionFromBelow)
 TEST(Images, OnPlaneCoincides)
 {
   EXPECT_EQ(images_of({{2, 3.0}}, {{1.0, 2.0, 3.0}}, 1.0), (std::multiset<Point>{{1.0, 2.0, 3.0}}));
+}
+
+TEST(Images, OnlyOfThoseThatHaveAny)
+{
+  EXPECT_EQ(images_of({{0, 0.0}}, {{0.5, 1.0, 0.0}, {0.5, 2.0, 0.0}}, 1.0,
+                      [](const Point &p) {
+                        return p[1] > 1.5;
+                      }),
+            (std::multiset<Point>{{-0.5, 2.0, 0.0}}));
 }
 
 TEST(Images, NoneBeyondReach)
@@ -109,7 +123,9 @@ TEST(Images, Signs)
   const double *all[1] = {x};
   Images images;
   images.set_planes({{0, 0.0}, {2, 0.0}});
-  images.find(1, all, 1.0);
+  images.find(1, all, 1.0, [](int) {
+    return true;
+  });
   ASSERT_EQ(images.count(), 3);
   for (int k = 0; k < 3; k++) {
     double at[3], sign[3];
@@ -127,7 +143,9 @@ TEST(Images, RangesByParticle)
   const double *all[3] = {near, far, other};
   Images images;
   images.set_planes({{0, 0.0}});
-  images.find(3, all, 1.0);
+  images.find(3, all, 1.0, [](int) {
+    return true;
+  });
   EXPECT_EQ(images.first_of(1) - images.first_of(0), 1);
   EXPECT_EQ(images.first_of(2) - images.first_of(1), 0);
   EXPECT_EQ(images.first_of(3) - images.first_of(2), 1);

@@ -2,7 +2,7 @@
    What packs can do between their lanes, against loops over lanes.
 ------------------------------------------------------------------------- */
 
-#include "sph_solid_vector.h"
+#include "sph_solid_blocks.h"
 
 #include <gtest/gtest.h>
 

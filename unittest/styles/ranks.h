@@ -53,6 +53,30 @@ inline std::string shared_file(const std::string &name, MPI_Comm comm = MPI_COMM
   return path;
 }
 
+// the state after a run of the first rank alone
+
+inline State alone(const std::string &script)
+{
+  State state;
+  if (first_rank()) {
+    Session s(MPI_COMM_SELF);
+    s(script);
+    state = s.state();
+  }
+  share(state);
+  return state;
+}
+
+// the run, and that every rank had something to do
+
+inline State together(const std::string &script)
+{
+  Session s;
+  s(script);
+  EXPECT_GT(s.lmp->atom->nlocal, 0);
+  return s.state();
+}
+
 }    // namespace sphsolid_test
 
 #endif

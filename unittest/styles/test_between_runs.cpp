@@ -198,6 +198,55 @@ TEST(ChangedType, OfTheSameSmoothingLengthRuns)
   EXPECT_EQ(s.value("step"), 40.0);
 }
 
+// the same pair style made anew, as every pair_style hybrid does, or after another one
+
+TEST(PairStyleAgain, InAHybridChangesNothing)
+{
+  const std::string hybrid = "pair_style hybrid sph/solid 1.3e-3 frame lagrangian\n"
+                             "pair_coeff * * sph/solid " +
+      std::string(IRON),
+                    plain = interaction_with(1.3e-3),
+                    energy = "compute e all sph/solid/energy\n"
+                             "thermo_style custom step c_e[5]\n";
+  auto state = [&](const std::string &again, double &plastic_work) {
+    Session s;
+    s(body().script());
+    s(energy + hybrid + "run 20\n" + again + "run 20");
+    plastic_work = s.value("c_e[5]");
+    return s.state();
+  };
+  double expected, work;
+  const State reference = state("", expected);
+  EXPECT_GT(expected, 0.0);
+  for (const std::string &again : {hybrid, plain, "pair_style zero 2e-3\npair_coeff * *\n" + hybrid,
+                                   "pair_style none\n" + hybrid}) {
+    expect_bitwise(reference, state(again, work));
+    EXPECT_EQ(work, expected);
+  }
+}
+
+// partners are all within 1.98 h = 2.574 mm, and a correction that reaches 3 mm would miss some
+
+TEST(ChangedCorrection, ThatReachesBeyondThePartnersIsRefused)
+{
+  const std::string wide = "pair_style sph/solid 1.3e-3 frame lagrangian viscosity correct hbar 3\n"
+                           "pair_coeff * * " +
+      std::string(IRON),
+                    message = "particles of type 1 reach their partners at 0.003 and those of the "
+                              "reference lie within 0.002574",
+                    path = file("reach.restart");
+  {
+    Session s;
+    s(body().script());
+    s("run 1\nwrite_restart " + path + "\n" + wide);
+    EXPECT_THAT(s.error("run 1"), HasSubstr(message));
+    s("fix_modify move reference renew\nrun 1");
+  }
+  Session s;
+  s("read_restart " + path + "\n" + NEIGHBOR + MOVE + wide);
+  EXPECT_THAT(s.error("run 1"), HasSubstr(message));
+}
+
 TEST(ChangedSmoothingLength, IsTakenWithANewReference)
 {
   for (const bool renew_first : {false, true}) {

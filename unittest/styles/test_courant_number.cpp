@@ -148,6 +148,8 @@ TEST(CourantNumber, IsLookedForOncePerReference)
   EXPECT_EQ(times(s), 1);
   s("fix_modify move reference renew\nrun 5");
   EXPECT_EQ(times(s), 2);
+  s("fix plane all sph/solid/wall xlo -0.0005 symmetry\nrun 5\nrun 5");    // a stiffer body
+  EXPECT_EQ(times(s), 3);
 }
 
 // a strip of two rows, of larger particles, that is left alone, or becomes lighter: its number is its own

@@ -264,4 +264,14 @@ TEST(Warns, NotOfABodyInFreeFlight)
   EXPECT_THAT(s.log(), Not(HasSubstr("WARNING")));
 }
 
+TEST(Environment, HybridScaledIsRefused)
+{
+  Session s;
+  s(Block().particles() +
+    "pair_style hybrid/scaled 0.5 sph/solid 1.3e-3\npair_coeff * * sph/solid " + IRON + NEIGHBOR +
+    MOVE);
+  EXPECT_THAT(s.error("run 0"),
+              HasSubstr("Pair style sph/solid cannot be part of pair style hybrid/scaled"));
+}
+
 }    // namespace

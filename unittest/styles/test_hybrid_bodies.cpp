@@ -100,6 +100,46 @@ TEST(HybridBody, MovesInThreeDimensionsAsWithoutBesideAnotherStyle)
 }
 
 /* ----------------------------------------------------------------------
+   types of one body: what one command gives to both acts between them as well, beside whatever else does
+------------------------------------------------------------------------- */
+
+std::string of_two_types(const std::string &frame, const std::string &pair_coeffs)
+{
+  Block b;
+  b.nx = b.ny = 8;
+  b.frame = frame;
+  b.motion = "region left block INF 3.5 INF INF INF INF\ngroup left region left\n"
+             "velocity left set 0 -50 0 units box\n";
+  std::string text = b.script();
+  replace(text, "create_box 1", "create_box 2");
+  replace(text, "set group all volume",
+          "region low block INF INF INF 3.5 INF INF\ngroup low region low\nset group low type 2\n"
+          "set group all volume");
+  const auto begin = text.find("pair_style"), end = text.find('\n', text.find("pair_coeff"));
+  return text.substr(0, begin) + "pair_style hybrid/overlay sph/solid 1.3e-3 frame " + frame +
+      " zero 2e-3\n" + pair_coeffs + text.substr(end);
+}
+
+TEST(HybridBody, OfTwoTypesIsOneBody)
+{
+  const std::string iron = std::string(IRON), both = "pair_coeff * * sph/solid " + iron;
+  for (const std::string &frame : FRAMES) {
+    SCOPED_TRACE(frame);
+    const Result alone = result(of_two_types(frame, both + "pair_coeff 1 1 zero"), "run 60"),
+                 with = result(of_two_types(frame, both + "pair_coeff * * zero"), "run 60");
+    expect_equal(alone, with);
+    Session s;
+    s(of_two_types(frame,
+                   "pair_coeff 1 1 sph/solid " + iron + "pair_coeff 2 2 sph/solid " + iron +
+                       "pair_coeff 1 2 zero") +
+      ENERGY + "run 60");
+    EXPECT_GT(largest_difference(alone.state, s.state()), 1.0e-3);
+    EXPECT_THAT(s.log(),
+                HasSubstr("particles of types 1 and 2 do not act on each other by this style"));
+  }
+}
+
+/* ----------------------------------------------------------------------
    a block flies into a symmetry plane half a spacing below it
 ------------------------------------------------------------------------- */
 
@@ -178,6 +218,34 @@ TEST(HybridBody, MovesParticlesOfAnotherStyleWithAMass)
                   "velocity other set 10 0 0 units box\nfix move all sph/solid\n"));
   s("run 5");
   EXPECT_NEAR(s.particle(17).x[0], 0.02 + 5 * 1.0e-8 * 10.0, 1.0e-15);
+}
+
+// beside a symmetry plane and with ghosts; then it gets a material
+
+TEST(HybridBody, LeavesOtherParticlesTheirDensity)
+{
+  for (const std::string &frame : FRAMES) {
+    SCOPED_TRACE(frame);
+    std::string script = with_stranger("set type 2 mass 1e-3\nset type 2 sph/rho 1234.5\n"
+                                       "set atom 17 y -0.0002\nfix move all sph/solid\n"
+                                       "fix plane all sph/solid/wall ylo -0.0005 symmetry\n");
+    replace(script, "boundary f f p", "boundary p f p");
+    replace(script, "single 0.02 0.02 0", "single 0.0399 0.02 0");
+    replace(script, "frame " + frame_under_test(), "frame " + frame);
+    Session s;
+    s(script + "run 5\n");
+    const LAMMPS_NS::Atom *atom = s.lmp->atom;
+    int ghosts = 0;
+    for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
+      if (atom->type[i] != 2) continue;
+      EXPECT_EQ(atom->rho[i], 1234.5);
+      if (i >= atom->nlocal) ghosts++;
+    }
+    EXPECT_GT(ghosts, 0);
+    s("set type 2 type 1\nset atom 17 volume 1e-6\nset atom 17 mass 7.85e-3\n"
+      "set atom 17 sph/rho 7850\nrun 5");
+    EXPECT_EQ(s.particle(17).rho, 7850.0);    // it is alone
+  }
 }
 
 // the smoothing length of the command is that of no particle where every material has one of its own

@@ -65,4 +65,27 @@ TEST(IntegratedGroups, WhoIsInNoneStaysWhereItIs)
                           "fix a odd sph/solid\nfix b even sph/solid\n"));
 }
 
+// fix nve kicks as ours does, with a time step that changes, too; the velocities are large
+
+TEST(IntegratedGroups, OfFixNveBesideOursKeepTheEnergy)
+{
+  for (const char *frame : {"lagrangian", "eulerian"}) {
+    SCOPED_TRACE(frame);
+    Block b;
+    b.nx = b.ny = 8;
+    b.frame = frame;
+    b.motion = "variable v atom 100*sin(1e4*x*id)\nvelocity all set v_v v_v NULL units box\n";
+    b.fixes = "group some id < 20\ngroup others subtract all some\nfix move some sph/solid\n"
+              "fix nve others nve\nfix step all sph/solid/dt 3 0.3\n"
+              "compute e all sph/solid/energy\nthermo_style custom step c_e\n";
+    Session s;
+    s(b.script());
+    s("run 0");
+    const double before = s.value("c_e"), step = s.value("dt");
+    s("run 60");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
+    EXPECT_GT(std::fabs(s.value("dt") / step - 1.0), 0.003);
+  }
+}
+
 }    // namespace

@@ -338,9 +338,10 @@ TEST(NoEnergy, RefusesMaterialsThatNeedIt)
   b.options = "energy no";
   Session s;
   s(b.script());
-  EXPECT_THAT(s.error("run 0"),
-              HasSubstr("Pair style sph/solid: the pressure of type 1 depends on its internal "
-                        "energy, Gamma = 1.8: expected energy yes, or gamma 0"));
+  EXPECT_THAT(
+      s.error("run 0"),
+      HasSubstr("Pair style sph/solid: the pressure of type 1 depends on its internal "
+                "energy, Gamma = 1.8: expected energy yes, or eos mie-gruneisen with Gamma 0"));
 }
 
 TEST(NoEnergy, RefusesOutputOfEnergies)

@@ -56,6 +56,20 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"last_word_counts", "rho0 1 rho0 7850" + REST, "rho0 7850"}),
     name_of);
 
+// of repeated keywords the last one counts: Gamma of the first is gone, and no energy is needed
+
+TEST(InlineMaterial, SecondEquationOfStateReplacesTheFirst)
+{
+  Block b;
+  b.nx = b.ny = 4;
+  b.options = "energy no";
+  b.material = "inline rho0 7850 eos mie-gruneisen 3600 1.8 1.8" + REST + "\n";
+  Session s;
+  s(b.script());
+  s("run 2");
+  EXPECT_THAT(s.log(), HasSubstr("eos linear K 1.7e+11"));
+}
+
 TEST(InlineMaterial, YoungFarFromTheEquationOfStateWarns)
 {
   // K of young and shear: E mu/(3 (3 mu - E)) = 173.3 GPa, of the card: 101.7 GPa

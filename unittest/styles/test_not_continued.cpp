@@ -128,6 +128,78 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ASymmetryPlane", "fix mirror all sph/solid/wall ylo -0.005 symmetry", ""}),
     name_of);
 
+/* ----------------------------------------------------------------------
+   a run that continues with other forces: the heat of the half kick before belongs to the old ones.  A block is
+   pressed against a wall, or pushed
+------------------------------------------------------------------------- */
+
+class OtherForces : public testing::TestWithParam<Case> {};
+
+TEST_P(OtherForces, KeepTheEnergy)
+{
+  for (const char *frame : {"lagrangian", "eulerian"}) {
+    SCOPED_TRACE(frame);
+    Block b;
+    b.nx = 8;
+    b.ny = 10;
+    b.frame = frame;
+    b.fixes = MOVE_AND_SUM + "variable sum equal c_e[1]+c_e[2]\n" + GetParam().message;
+    Session s;
+    s(b.script());
+    s("run 60");
+    const double before = s.value("c_e[1]+c_e[2]");
+    s(GetParam().input + "\nrun 0");
+    EXPECT_NEAR(s.value("c_e[1]+c_e[2]"), before, 1.0e-12 * before);
+    s("run 10");
+    EXPECT_NEAR(s.value("c_e[1]+c_e[2]"), before, 1.0e-12 * before);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, OtherForces,
+    testing::Values(Case{"AWallThatGoes", "unfix wall", "fix wall all sph/solid/wall ylo 0.0\n"},
+                    Case{"APushThatEnds", "unfix push", "fix push all addforce 0 1e4 0\n"}),
+    name_of);
+
+TEST(OtherForcesOfTheSameKind, ContinueBitwise)
+{
+  for (const char *frame : {"lagrangian", "eulerian"}) {
+    Block b;
+    b.frame = frame;
+    b.fixes = MOVE_AND_SUM + "fix wall all sph/solid/wall ylo 0.0\n";
+    const std::string again = "unfix wall\nfix wall all sph/solid/wall ylo 0.0\n";
+    expect_bitwise(run(b, "run 100"), run(b, "run 60\n" + again + "run 40"));
+  }
+}
+
+// what a run without setup would undo or forget
+
+TEST(RunWithoutSetup, IsRefusedAfterAChange)
+{
+  for (const char *change : {"fix_modify move reference renew", "set group all sph/e 1",
+                             "velocity all set 1 NULL NULL sum yes units box"}) {
+    Session s;
+    s(body().script());
+    s("run 10\nrun 10 pre no\n" + std::string(change));
+    EXPECT_THAT(
+        s.error("run 10 pre no"),
+        HasSubstr("A run with 'pre no' goes on from the last one, and the state of sph/solid, its "
+                  "reference or what moves it has changed since"))
+        << change;
+  }
+}
+
+TEST(RunWithoutSetup, IsRefusedWithATimeStepThatIsNone)
+{
+  Session s;
+  Block b = body();
+  b.fixes = "fix move all sph/solid\ntimestep 1e-8\n";
+  s(b.script());
+  s("run 10\ntimestep -1e-8");
+  EXPECT_THAT(s.error("run 10 pre no"),
+              HasSubstr("the time step is -1e-08: expected timestep with a value > 0"));
+}
+
 // a step to the side in a periodic box does not go unnoticed, as a wrapped particle does
 
 TEST(NotContinuedRun, AfterAStepInAPeriodicBoxHasNoHeatToCome)

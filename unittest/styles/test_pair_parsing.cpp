@@ -177,6 +177,24 @@ INSTANTIATE_TEST_SUITE_P(
 
 // the mark below the echoed line stands under the word that is wrong
 
+// of repeated keywords the last one counts, with nothing left of those before
+
+TEST(PairStyleRepeats, NoCoefficientsOfAnotherViscosity)
+{
+  auto state = [](const std::string &options) {
+    Session s;
+    s(small(options).script());
+    s("run 5");
+    return s.state();
+  };
+  expect_bitwise(state("viscosity correct"), state("viscosity monaghan 0.3 0.2 viscosity correct"));
+  expect_bitwise(state("viscosity front"),
+                 state("viscosity correct hbar 2 alpha 3 3 viscosity front"));
+  Session s;
+  s(small("viscosity correct heating printed viscosity correct weights safe").script());
+  s("run 1");
+}
+
 TEST(PairStyleMessage, PointsAtTheWord)
 {
   Session s;

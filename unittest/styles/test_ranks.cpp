@@ -11,28 +11,6 @@ using namespace sphsolid_test;
 
 namespace {
 
-State alone(const std::string &script)
-{
-  State state;
-  if (first_rank()) {
-    Session s(MPI_COMM_SELF);
-    s(script);
-    state = s.state();
-  }
-  share(state);
-  return state;
-}
-
-// the run, and that every rank had something to do
-
-State together(const std::string &script)
-{
-  Session s;
-  s(script);
-  EXPECT_GT(s.lmp->atom->nlocal, 0);
-  return s.state();
-}
-
 // the box follows the body from the start, so that rank boundaries go through it.
 // create_atoms numbers the atoms rank by rank: the IDs are made anew, by position
 

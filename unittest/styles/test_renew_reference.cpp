@@ -65,6 +65,29 @@ TEST(RenewReference, OfOneOfTwoBodies)
   EXPECT_GT(difference, 1.0e-2 * GAMMA * RHO0 * 1000.0 * 1.0e-3);    // pressure on one particle
 }
 
+// two bodies held by a symmetry plane, each with a fix of its own: the state is the one that the last run
+// left, and still none of the fixes may continue it
+
+TEST(RenewReference, OfOneOfTwoBodiesOnAPlaneKeepsTheEnergy)
+{
+  Block b = body();
+  b.motion = "region far block 3.5 INF INF INF INF INF\ngroup right region far\n"
+             "group left subtract all right\ndisplace_atoms right move 0.005 0 0 units box\n"
+             "variable vy atom -1e4*y\nvelocity all set NULL v_vy NULL units box\n";
+  b.fixes = "fix left left sph/solid\nfix right right sph/solid\ntimestep 8e-8\n"
+            "fix plane all sph/solid/wall ylo 0.0 symmetry\n"
+            "compute e all sph/solid/energy\nthermo_style custom step c_e\n";
+  for (const char *change : {"fix_modify left reference renew", "fix_modify right reference renew",
+                             "fix left left sph/solid", "fix right right sph/solid"}) {
+    SCOPED_TRACE(change);
+    Session s;
+    s(b.script() + "run 20\n");
+    const double before = s.value("c_e");
+    s(std::string(change) + "\nrun 20");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
+  }
+}
+
 TEST(RenewReference, NeedsTheLagrangianFrame)
 {
   Session s;

@@ -221,6 +221,23 @@ TEST(Restart, GoesOnWithAnotherPairStyleCommand)
   EXPECT_EQ(s.value("step"), 60.0);
 }
 
+// a wall of the same name at another place is another wall: nobody may be behind it
+
+TEST(Restart, WithAWallElsewhereIsChecked)
+{
+  const std::string path = file("wall.restart");
+  {
+    Session s;
+    s(rod());
+    s("run 5\nwrite_restart " + path);
+  }
+  for (const char *wall : {"ylo 0.004", "yhi 0.004"}) {
+    Session s;
+    s("read_restart " + path + "\n" + NEIGHBOR + MOVE + "fix floor all sph/solid/wall " + wall);
+    EXPECT_THAT(s.error("run 1"), HasSubstr("lies behind the wall at 0.004"));
+  }
+}
+
 // the smoothing length is the first of the settings, behind the number of their layout and two sizes
 
 TEST(Restart, OfAnotherVersionIsRefused)
@@ -239,7 +256,7 @@ TEST(Restart, OfAnotherVersionIsRefused)
     content[at - of]++;
     Session s;
     EXPECT_THAT(s.error("read_restart " + write_file("other_version.restart", content)),
-                HasSubstr("Pair style sph/solid: the settings in the restart file have layout 2"));
+                HasSubstr("Pair style sph/solid: the settings in the restart file have layout 3"));
   }
 }
 

@@ -35,8 +35,8 @@ class Method:
         return f"in.{scene}.{self.stock}" if self.stock else f"in.{scene}"
 
 
-H = {"lagrangian": 1.0, "eulerian": 1.3}      # smoothing length in spacings, as doc/pair_sph_solid.rst recommends
-CFL = {"lagrangian": 0.6, "eulerian": 0.3}    # as doc/fix_sph_solid_dt.rst recommends
+H = {"lagrangian": 1.0, "eulerian": 1.3}      # smoothing length in spacings, as doc/pair_sph_solid.rst recommends for waves
+CFL = {"lagrangian": 0.6, "eulerian": 0.3}    # the same for all scenes, and no more than auto takes (doc/fix_sph_solid_dt.rst)
 
 
 def ours(key, viscosity, frame="lagrangian", gradient="corrected", title=None, **variables):

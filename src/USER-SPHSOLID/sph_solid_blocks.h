@@ -1,0 +1,266 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+/* ----------------------------------------------------------------------
+   Packs of blocks: what is done between lanes.
+
+   The rows of sph_solid_rows.h are made of blocks of four doubles, so that a
+   pair is a handful of vector loads of its neighbor's row.  (A loop over pairs
+   with one component per vector has to gather every component from another
+   place, which costs several times the arithmetic.)
+
+   A pack holds as many blocks as it has room for, of as many pairs.  With four lanes that is one
+   block; with eight (AVX-512) two, of pair k and of pair k + 4.  Everything between lanes
+   stays inside its block, so that the same lines work with either.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_BLOCKS_H
+#define LMP_SPH_SOLID_BLOCKS_H
+
+#include "sph_solid_vector.h"
+
+namespace SPHSolid {
+
+// lanes of a (0 to 3) and b (4 to 7)
+
+template <int i, int j, int k, int l> inline Pack shuffle(Pack a, Pack b)
+{
+  return Pack(native_shuffle<i, j, k, l>(a.native(), b.native()));
+}
+
+template <int i, int j, int k, int l> inline Pack shuffle(Pack a)
+{
+  return shuffle<i, j, k, l>(a, a);
+}
+
+// where the blocks of a pack lie: block b has lanes 4 b to 4 b + 3
+
+struct Addresses {
+  const double *block[BLOCKS];
+
+  // rows of particles j[0] and, with a second block, j[4]
+  Addresses(const double *rows, const int *j, int stride)
+  {
+    for (int b = 0; b < BLOCKS; b++)
+      block[b] = rows + static_cast<std::ptrdiff_t>(j[b * BLOCK]) * stride;
+  }
+  // the same of rows that have pointers
+  Addresses(const double *const *rows, const int *j)
+  {
+    for (int b = 0; b < BLOCKS; b++) block[b] = rows[j[b * BLOCK]];
+  }
+  Addresses(const double *first, const double *second)
+  {
+    for (int b = 0; b < BLOCKS; b++) block[b] = b == 0 ? first : second;
+  }
+  explicit Addresses(const double *same) : Addresses(same, same) {}
+  Addresses operator+(int n) const
+  {
+    Addresses a = *this;
+    for (int b = 0; b < BLOCKS; b++) a.block[b] += n;
+    return a;
+  }
+};
+
+#if defined(SPHSOLID_AVX512)
+inline Pack joined(__m256d low, __m256d high)
+{
+  return Pack(_mm512_maskz_insertf64x4(0xFF, _mm512_castpd256_pd512(low), high, 1));
+}
+#endif
+
+// a block from each address, one block in all, one double in all lanes of each block
+
+inline Pack load(const Addresses &from)
+{
+#if defined(SPHSOLID_AVX512)
+  return joined(_mm256_loadu_pd(from.block[0]), _mm256_loadu_pd(from.block[1]));
+#else
+  Native n;
+  for (int b = 0; b < BLOCKS; b++)
+    std::memcpy(reinterpret_cast<char *>(&n) + b * BLOCK * sizeof(double), from.block[b],
+                BLOCK * sizeof(double));
+  return Pack(n);
+#endif
+}
+
+inline Pack load_block(const double *from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(_mm512_maskz_broadcast_f64x4(0xFF, _mm256_loadu_pd(from)));
+#else
+  return load(Addresses(from));
+#endif
+}
+
+inline Pack load_all(const Addresses &from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(
+      _mm512_mask_broadcastsd_pd(_mm512_set1_pd(*from.block[0]), 0xF0, _mm_load_sd(from.block[1])));
+#else
+  return pack_of([&](int n) {
+    return *from.block[n / BLOCK];
+  });
+#endif
+}
+
+// {p0, p1, p0, p1} in each block
+
+inline Pack load_two_twice(const Addresses &from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(
+      _mm512_mask_broadcast_f64x2(_mm512_maskz_broadcast_f64x2(0xFF, _mm_loadu_pd(from.block[0])),
+                                  0xF0, _mm_loadu_pd(from.block[1])));
+#else
+  return pack_of([&](int n) {
+    return from.block[n / BLOCK][n % 2];
+  });
+#endif
+}
+
+// two doubles from each of LANES/2 addresses; and LANES/2 doubles, each of them twice
+
+inline Pack load_twos(const double *const *from)
+{
+#if defined(SPHSOLID_AVX512)
+  auto block = [from](int n) {
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(from[n])),
+                                _mm_loadu_pd(from[n + 1]), 1);
+  };
+  return joined(block(0), block(2));
+#else
+  return pack_of([from](int n) {
+    return from[n / 2][n % 2];
+  });
+#endif
+}
+
+inline Pack load_each_twice(const double *from)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(_mm512_maskz_permutexvar_pd(0xFF, _mm512_set_epi64(3, 3, 2, 2, 1, 1, 0, 0),
+                                          _mm512_castpd256_pd512(_mm256_loadu_pd(from))));
+#else
+  return pack_of([from](int n) {
+    return from[n / 2];
+  });
+#endif
+}
+
+inline void store(const Addresses &to, Pack v)
+{
+  for (int b = 0; b < BLOCKS; b++)
+    std::memcpy(const_cast<double *>(to.block[b]),
+                reinterpret_cast<const char *>(&v.native()) + b * BLOCK * sizeof(double),
+                BLOCK * sizeof(double));
+}
+
+// blocks exchanged, if there are two
+
+inline Pack other_block(Pack a)
+{
+#if defined(SPHSOLID_AVX512)
+  return Pack(_mm512_maskz_shuffle_f64x2(0xFF, a.native(), a.native(), 0x4E));
+#else
+  return pack_of([&](int n) {
+    return a[(n + BLOCK) % LANES];
+  });
+#endif
+}
+
+// the sum of all blocks, in each of them
+
+inline Pack sum_of_blocks(Pack a)
+{
+  return BLOCKS == 1 ? a : a + other_block(a);
+}
+
+// the sum of all blocks of a and, in a second block, of b
+
+inline Pack sums_of_blocks(Pack a, Pack b)
+{
+#if defined(SPHSOLID_AVX512)
+  const Native p = a.native(), q = b.native();
+  return Pack(_mm512_maskz_shuffle_f64x2(0xFF, p, q, 0x44) +
+              _mm512_maskz_shuffle_f64x2(0xFF, p, q, 0xEE));
+#else
+  if (BLOCKS == 1) return a;
+  return pack_of([&](int n) {
+    const Pack &from = n < BLOCK ? a : b;
+    return from[n % BLOCK] + from[n % BLOCK + LANES - BLOCK];
+  });
+#endif
+}
+
+inline double sum(Pack a)
+{
+  const Pack s = sum_of_blocks(a);
+  return (s[0] + s[2]) + (s[1] + s[3]);
+}
+
+inline double least(Pack a)
+{
+  if (BLOCKS > 1) a = minimum(a, other_block(a));
+  double least = a[0];
+  for (int k = 1; k < BLOCK; k++) least = a[k] < least ? a[k] : least;
+  return least;
+}
+
+inline bool all_positive(Pack a)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_cmp_pd_mask(a.native(), Native{}, _CMP_GT_OQ) == 0xFF;
+#else
+  bool all = true;
+  for (int k = 0; k < LANES; k++) all = all && a[k] > 0.0;
+  return all;
+#endif
+}
+
+// {sum of a, of b, of c, of d}
+
+inline Pack sums(Pack a, Pack b, Pack c, Pack d)
+{
+  const Pack ab = shuffle<0, 4, 2, 6>(a, b) + shuffle<1, 5, 3, 7>(a, b);
+  const Pack cd = shuffle<0, 4, 2, 6>(c, d) + shuffle<1, 5, 3, 7>(c, d);
+  return shuffle<0, 1, 4, 5>(ab, cd) + shuffle<2, 3, 6, 7>(ab, cd);
+}
+
+// four rows become four columns
+
+inline void transpose(Pack &a, Pack &b, Pack &c, Pack &d)
+{
+  const Pack ab0 = shuffle<0, 4, 2, 6>(a, b), ab1 = shuffle<1, 5, 3, 7>(a, b);
+  const Pack cd0 = shuffle<0, 4, 2, 6>(c, d), cd1 = shuffle<1, 5, 3, 7>(c, d);
+  a = shuffle<0, 1, 4, 5>(ab0, cd0);
+  b = shuffle<0, 1, 4, 5>(ab1, cd1);
+  c = shuffle<2, 3, 6, 7>(ab0, cd0);
+  d = shuffle<2, 3, 6, 7>(ab1, cd1);
+}
+
+// lane m of each block in all of its lanes, for m = 0 to 3
+
+struct Spread {
+  Pack of[BLOCK];
+  explicit Spread(Pack a) :
+      of{shuffle<0, 0, 0, 0>(a), shuffle<1, 1, 1, 1>(a), shuffle<2, 2, 2, 2>(a),
+         shuffle<3, 3, 3, 3>(a)}
+  {
+  }
+  const Pack &operator[](int m) const { return of[m]; }
+};
+
+}    // namespace SPHSolid
+#endif
