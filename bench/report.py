@@ -162,7 +162,7 @@ def aims(rows):
             value = ratio(rows, f"{letter}-monaghan", f"{letter}-correct", dim, n)
             if value:
                 table.append([f"*correct* over *monaghan*, {frame} frame, {dim}D (at most)", f"{value:.2f}", "1.15",
-                              "reached" if value <= 1.15 else f"missed by {value / 1.15 - 1:.0%}"])
+                              "reached" if value <= 1.15 else f"missed by {value / 1.15 - 1:.1%}"])
     return markdown(("", "times", "aim", ""), table)
 
 

@@ -82,7 +82,7 @@ def lagrangian(key, wall, h, **more):
 # ---- finer lattices, speeds and time steps ------------------------------------------------------------------
 
 H = {"lagrangian": 1.0, "eulerian": 1.5}    # of these studies
-CFL = {"lagrangian": 1.0, "eulerian": 0.3}  # of all but the study of time steps; auto is 1.26 and 0.3
+CFL = {"lagrangian": 1.0, "eulerian": 0.3}  # of all but the study of time steps; auto is 1.26 and 0.5
 STEPS = {"lagrangian": (0.3, 0.6, 1.0, 1.5, 1.8), "eulerian": (0.3, 0.6, 0.8, 1.0, 1.2)}
 
 
