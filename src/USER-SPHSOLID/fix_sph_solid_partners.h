@@ -80,6 +80,9 @@ class FixSPHSolidPartners : public Fix {
   };
   Bodies bodies() const;
 
+  // after find(): stop if a plane across dimension d passes between partners
+  void require_on_one_side(int d, double plane, double tolerance) const;
+
   // after find(): nobody reads rows any more.  Are they gone?
   bool forget_rows();
 

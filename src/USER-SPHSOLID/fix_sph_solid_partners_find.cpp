@@ -69,6 +69,24 @@ void FixSPHSolidPartners::find(bool setup, int **setflag)
   seen = fingerprint_of_ids();
 }
 
+// after find(): a symmetry plane may have come that is behind the body, and not behind its reference
+
+void FixSPHSolidPartners::require_on_one_side(int d, double plane, double tolerance) const
+{
+  for (const int i : own)
+    for (int k = 0; k < count[i]; k++) {
+      const int j = row[i][k];
+      const double a = xref[i][d] - plane, b = xref[j][d] - plane;
+      if (a < -tolerance && b > tolerance)
+        error->one(
+            FLERR, Error::NOLASTLINE,
+            "sph/solid, frame lagrangian: the symmetry plane {} = {} passes between partners "
+            "{} and {} as they lie in the reference: expected one beside the body, or "
+            "fix_modify ... reference renew",
+            "xyz"[d], plane, atom -> tag[i], atom -> tag[j]);
+    }
+}
+
 // a quarter of the memory of a particle's partners, kept only for cover()
 
 bool FixSPHSolidPartners::forget_rows()

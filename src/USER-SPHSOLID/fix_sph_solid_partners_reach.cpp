@@ -100,7 +100,7 @@ bool FixSPHSolidPartners::follows_partners() const
 void FixSPHSolidPartners::cover(double distance)
 {
   distance += 0.5 * neighbor->skin;    // ghosts lag one step
-  if (distance < comm->get_comm_cutoff()) return;
+  if (distance < comm->get_comm_cutoff() || !std::isfinite(distance)) return;
   comm->cutghostuser = COVER_MORE * distance;
   reach_is_new = true;
   if (comm->me == 0)

@@ -61,6 +61,9 @@ static const char cite_sph_solid[] =
 
 static constexpr char PARTNERS_ID[] = "SPHSOLID_PARTNERS";
 
+// a particle this close to a symmetry plane, in smoothing lengths, is on it
+static constexpr double ON_PLANE = 1.0e-6;
+
 // the end of the Lagrangian frame is looked for every so many steps
 static constexpr int OVERLOAD_EVERY = 20;
 
@@ -182,6 +185,10 @@ void PairSPHSolid::new_neighbors(bool setup)
       empty_list();
     }
     partners->find(setup, setflag);
+    for (const Plane &plane : sweeps->images.all_planes())
+      if (setup)
+        partners->require_on_one_side(plane.dim, plane.position,
+                                      ON_PLANE * largest_smoothing_length());
   }
   Particles p = particles();
   std::vector<std::int64_t> id;

@@ -24,6 +24,7 @@
 #include "neighbor.h"
 #include "sph_solid_eos.h"
 #include "sph_solid_fingerprint.h"
+#include "sph_solid_invariants.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
 
@@ -181,24 +182,13 @@ double PairSPHSolid::plastic_strain(int i) const
 
 double PairSPHSolid::von_mises(int i) const
 {
-  const double *s = own->stress[i];
-  const double diagonal = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
-  const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  return std::sqrt(1.5 * diagonal + 3.0 * shear);
+  return SPHSolid::von_mises(own->stress[i]);
 }
-
-// distortion S:S/(4 mu) and volume change P^2/(2K), times the present volume
 
 double PairSPHSolid::elastic_energy(int i) const
 {
   const Material &m = types[atom->type[i]].material;
-  const double *s = own->stress[i];
-  const double diagonal = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
-  const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  const double P = pressure(i);
-  const double per_volume =
-      (diagonal + 2.0 * shear) / (4.0 * m.shear) + P * P / (2.0 * m.bulk_modulus());
-  return per_volume * atom->rmass[i] / atom->rho[i];
+  return elastic_energy_density(m, own->stress[i], pressure(i)) * atom->rmass[i] / atom->rho[i];
 }
 
 double PairSPHSolid::sound_speed(int i) const

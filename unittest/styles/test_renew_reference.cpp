@@ -88,6 +88,21 @@ TEST(RenewReference, OfOneOfTwoBodiesOnAPlaneKeepsTheEnergy)
   }
 }
 
+// a body that has been moved away from a plane and was on both sides of it
+
+TEST(RenewReference, IsNeededForAPlaneThroughTheOldOne)
+{
+  const std::string away = "run 1\ndisplace_atoms all move 0.01 0 0 units box\n",
+                    plane = "fix plane all sph/solid/wall xlo 0.0025 symmetry\n";
+  Session s;
+  s(body().script() + away + plane);
+  EXPECT_THAT(s.error("run 1"),
+              HasSubstr("the symmetry plane x = 0.0025 passes between partners "));
+  s("fix_modify move reference renew\nrun 1");
+  Session beside;
+  beside(body().script() + away + "fix plane all sph/solid/wall xlo -0.0005 symmetry\nrun 1");
+}
+
 TEST(RenewReference, NeedsTheLagrangianFrame)
 {
   Session s;
