@@ -103,6 +103,7 @@ void PairSPHSolid::require_one_integrator()
                "Pair style sph/solid: no time integration: expected a command like "
                "'fix 1 all sph/solid'");
 
+  if (options->energy) require_heat_first();
   kicked = integrated;
   for (const auto &fix : modify->get_fix_list()) {
     if (!fix->time_integrate || strcmp(fix->style, "sph/solid") == 0) continue;
@@ -135,6 +136,25 @@ void PairSPHSolid::warn_idle_velocities()
                    "sph/solid: {} particles have a velocity and no fix moves them: their neighbors "
                    "feel a motion that never happens; for a clamp expected velocity 0",
                    all);
+}
+
+// the heat of a step is found from velocities that nobody has changed yet
+
+void PairSPHSolid::require_heat_first()
+{
+  for (const auto &fix : modify->get_fix_list()) {
+    if (strcmp(fix->style, "sph/solid") == 0) return;
+    if (!fix->time_integrate) continue;
+    bigint mine = 0, all = 0;
+    for (int i = 0; i < atom->nlocal; i++)
+      if ((atom->mask[i] & fix->groupbit) && has_material(i)) mine++;
+    MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (all)
+      error->all(FLERR,
+                 "Pair style sph/solid: fix {} of style {} moves {} particles before the first fix "
+                 "sph/solid has found their heat: expected it behind that fix in the input",
+                 fix->id, fix->style, all);
+  }
 }
 
 // fix may not move particles that fixes sph/solid, as far as they are known, move

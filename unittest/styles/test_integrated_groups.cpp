@@ -88,4 +88,18 @@ TEST(IntegratedGroups, OfFixNveBesideOursKeepTheEnergy)
   }
 }
 
+TEST(IntegratedGroups, OfFixNveBeforeOursAreRefused)
+{
+  Block b;
+  b.nx = b.ny = 4;
+  b.fixes = "group some id < 5\ngroup others subtract all some\nfix nve others nve\n"
+            "fix move some sph/solid\ntimestep 1e-8\n";
+  Session s;
+  s(b.script());
+  EXPECT_THAT(
+      s.error("run 1"),
+      HasSubstr("Pair style sph/solid: fix nve of style nve moves 12 particles before the first "
+                "fix sph/solid has found their heat: expected it behind that fix"));
+}
+
 }    // namespace
