@@ -138,4 +138,23 @@ TEST(SameTimeStep, BetweenRunsChangesNothing)
   }
 }
 
+// where a particle lands while the time step changes is not quite on the wall
+
+TEST(ContactWall, ToleratesOneTenThousandthOfHBehindIt)
+{
+  auto problem = [](double behind, const std::string &kind) {
+    Block b;
+    b.nx = b.ny = 4;
+    b.fixes = "fix move all sph/solid\ntimestep 1e-8\nfix floor all sph/solid/wall ylo " +
+        num(behind * b.h) + " " + kind + "\n";
+    Session s;
+    s(b.script());
+    return s.error("run 1");
+  };
+  EXPECT_EQ(problem(0.9e-4, "contact"), "");
+  EXPECT_THAT(problem(1.1e-4, "contact"), HasSubstr("lies behind the wall"));
+  EXPECT_EQ(problem(0.9e-6, "symmetry"), "");
+  EXPECT_THAT(problem(1.1e-6, "symmetry"), HasSubstr("lies behind the wall"));
+}
+
 }    // namespace
