@@ -18,6 +18,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_sph_solid_wall.h"
 #include "force.h"
 #include "group.h"
 #include "modify.h"
@@ -182,6 +183,7 @@ void FixSPHSolid::setup_pre_force(int)
 
 void FixSPHSolid::post_run()
 {
+  if (caught_up) return;    // run 0 pre no
   settle();
   pair->keep_half_step();
   forces_mark = mark_of_forces();
@@ -221,8 +223,11 @@ void FixSPHSolid::settle()
   unsettled = false;
   if (mark_of_forces() == forces_mark) return;
   std::swap_ranges(atom->esph, atom->esph + atom->nlocal, own->esph_half);
-  dt_pending = 0.0;
   heats_itself = true;
+  for (Fix *fix : modify->get_fix_by_style("^sph/solid$"))
+    dynamic_cast<FixSPHSolid *>(fix)->dt_pending = 0.0;
+  for (Fix *fix : modify->get_fix_by_style("^sph/solid/wall$"))
+    dynamic_cast<FixSPHSolidWall *>(fix)->begin_anew();
 }
 
 std::uint64_t FixSPHSolid::mark_of_forces() const
@@ -249,9 +254,9 @@ int FixSPHSolid::modify_param(int narg, char **arg)
 
   // the heat of the last half kick belongs to the forces of the old reference: the next run starts
   // from rest in time
-  if (auto *fix = leader(lmp)) {
-    fix->dt_pending = 0.0;
-    fix->fingerprint = 0;
+  for (Fix *fix : modify->get_fix_by_style("^sph/solid$")) {
+    dynamic_cast<FixSPHSolid *>(fix)->dt_pending = 0.0;
+    dynamic_cast<FixSPHSolid *>(fix)->fingerprint = 0;
   }
   p->renew_reference(groupbit);
   return 2;
@@ -274,7 +279,7 @@ std::uint64_t FixSPHSolid::state_fingerprint(const double *esph) const
     for (const double value : {atom->rho[i], esph[i], own->epl[i], atom->vfrac[i], atom->rmass[i]})
       print.add(value);
     print.add(atom->type[i]);
-    print.add(pair->moves(i) ? 1 : 0);
+    print.add((pair->moves(i) ? 1 : 0) + (pair->kicks(i) ? 2 : 0));
     mine += print.value();
   }
   return (SPHSolid::sum_over_ranks(mine, world) + pair->numerics_mark()) | 1;
@@ -393,8 +398,12 @@ void FixSPHSolid::add_heat()
 
 void FixSPHSolid::pending_heat(double *out)
 {
+  if (unsettled) {    // either way the energies that belong to the velocities are in esph_half
+    for (int i = 0; i < atom->nlocal; i++)
+      out[i] = atom->rmass[i] * (own->esph_half[i] - atom->esph[i]);
+    return;
+  }
   std::memset(out, 0, atom->nlocal * sizeof(double));
-  if (auto *first = leader(lmp)) first->settle();
   if (caught_up || dt_pending == 0.0 || !pair->has_energy()) return;
   pair->require_current("The internal energy of sph/solid");
   pair->keep_half_step();

@@ -205,8 +205,9 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h,
   std::vector<double> now(3, 0.0);
   for (int d = 0; d < domain->dimension; d++)
     if (domain->periodicity[d]) now[d] = domain->prd[d];
-  const bool partners = anyone_with();
-  if (partners) require_reach(reach);
+  require_reach(reach);
+  const std::vector<int> have_partners = types_with_partners();
+  const bool partners = std::count(have_partners.begin(), have_partners.end(), 1) > 0;
   if (!partners || lengths.size() != now.size()) lengths = now;
   for (int d = 0; d < 3; d++)
     if (!same(now[d], lengths[d]))
@@ -217,20 +218,24 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h,
                  "xyz"[d], now[d], lengths[d]);
 }
 
-bool FixSPHSolidPartners::anyone_with() const
+// of each type, from 1: does anyone have partners?
+
+std::vector<int> FixSPHSolidPartners::types_with_partners() const
 {
-  bool partners = false;
+  std::vector<int> mine(atom->ntypes + 1, 0), all(mine);
   for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] > 0) partners = true;
-  return on_any_rank(partners);
+    if (npartner[i] > 0) mine[atom->type[i]] = 1;
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_INT, MPI_MAX, world);
+  return all;
 }
 
 // pair_style may come again, with a correction that reaches further
 
 void FixSPHSolidPartners::require_reach(const std::vector<double> &reach) const
 {
+  const std::vector<int> have_partners = types_with_partners();
   for (std::size_t t = 1; t < std::min(reach.size(), reach_then.size()); t++)
-    if (reach[t] > (1.0 + SAME) * reach_then[t])
+    if (have_partners[t] && reach[t] > (1.0 + SAME) * reach_then[t])
       error->all(
           FLERR, Error::NOLASTLINE,
           "sph/solid, frame lagrangian: particles of type {} reach their partners at {:.6g} "
@@ -248,8 +253,10 @@ void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag,
                                 const std::vector<double> &h, const std::vector<double> &reach)
 {
   // what is left of an older reference goes on with the partners that it has
-  if (!anyone_with() || reach_then.size() != reach.size()) reach_then = reach;
-  for (std::size_t t = 1; t < reach.size(); t++) reach_then[t] = std::min(reach_then[t], reach[t]);
+  const std::vector<int> have_partners = types_with_partners();
+  if (reach_then.size() != reach.size()) reach_then = reach;
+  for (std::size_t t = 1; t < reach.size(); t++)
+    reach_then[t] = have_partners[t] ? std::min(reach_then[t], reach[t]) : reach[t];
   drop_reused_ids();
   nchanges++;
 

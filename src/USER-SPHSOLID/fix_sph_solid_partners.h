@@ -135,7 +135,7 @@ class FixSPHSolidPartners : public Fix {
   std::uint64_t fingerprint_of_ids() const;
   bool needs_reference(int i, int **setflag) const;
   void require_reach(const std::vector<double> &reach) const;
-  bool anyone_with() const;
+  std::vector<int> types_with_partners() const;
   void present_partners(class NeighList *list, int ii, double **cutsq,
                         std::vector<tagint> &found) const;
   int where(tagint) const;

@@ -37,7 +37,7 @@ static constexpr double ON_PLANE = 1.0e-6;
 
 // and this far behind a contact wall it may be between runs: it has landed there with a step that became
 // another one on the way
-static constexpr double BEHIND = 1.0e-4;
+static constexpr double BEHIND = 1.0e-3;
 
 // a reaction brings particles to rest on the plane over steps of its own length, and slows them
 // down over others; from three times as long ones it would throw them back faster than they came
@@ -83,7 +83,8 @@ FixSPHSolidWall::FixSPHSolidWall(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   restart_global = 1;
   dynamic_group_allow = 1;
-  work = reaction_v = reaction_a = reaction = dt_used = held = 0.0;
+  kick_booked = false;
+  booked = work = reaction_v = reaction_a = reaction = dt_used = held = 0.0;
   added = true;
 }
 
@@ -113,6 +114,7 @@ void FixSPHSolidWall::init()
 
 void FixSPHSolidWall::setup(int)
 {
+  kick_booked = false;
   held = symmetry ? ON_PLANE * pair->largest_smoothing_length() : 0.0;
   if (!pair->has_resumed() || added) require_in_front();
   added = false;
@@ -131,8 +133,24 @@ void FixSPHSolidWall::reset_dt()
   // in the middle of a kick, only if it must be: the heat of its halves is that of one force
   const double ratio = update->dt / dt_used, most = kicked ? LONGER : 1.0;
   if (ratio <= most && ratio >= 1.0 / most) return;
+  react_anew();
+}
+
+void FixSPHSolidWall::react_anew()
+{
   for (const Reaction &r : reactions) atom->f[r.i][dim] -= normal * r.force;
   constrain(START);
+}
+
+// a run that seemed to continue finds other forces: its first kick begins at the velocities of the moment.
+// This fix may have booked its work already
+
+void FixSPHSolidWall::begin_anew()
+{
+  react_anew();
+  if (!kick_booked) return;
+  work -= booked;
+  book_kick();
 }
 
 void FixSPHSolidWall::require_in_front() const
@@ -153,12 +171,20 @@ void FixSPHSolidWall::require_in_front() const
 
 void FixSPHSolidWall::initial_integrate(int)
 {
+  book_kick();
+  kick_booked = true;
+}
+
+void FixSPHSolidWall::book_kick()
+{
   const double dt = update->dt;
-  work += 0.5 * dt * (reaction_v + 0.25 * dt * reaction_a);
+  booked = 0.5 * dt * (reaction_v + 0.25 * dt * reaction_a);
+  work += booked;
 }
 
 void FixSPHSolidWall::post_force(int)
 {
+  kick_booked = false;
   constrain(STEP);
 }
 

@@ -40,6 +40,9 @@ class FixSPHSolidWall : public Fix {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
+  // the first kick of a run has other forces than the last one of the run before (fix sph/solid)
+  void begin_anew();
+
   bool is_symmetry() const { return symmetry; }
   int dimension() const { return dim; }
   double position() const { return plane; }
@@ -56,6 +59,8 @@ class FixSPHSolidWall : public Fix {
   double held;    // symmetry: no particle further away than this lies on the plane
 
   double work;                      // done by the wall on the bodies, this rank
+  double booked;                    // of it in the last initial_integrate()
+  bool kick_booked;                 // and post_force() has not come since
   double reaction_v, reaction_a;    // of the half kick to come: sums of R v and R a
   double reaction;                  // total normal force, this rank
   bool added;                       // since the last run
@@ -79,6 +84,8 @@ class FixSPHSolidWall : public Fix {
     }
   };
   void constrain(Phase);
+  void react_anew();
+  void book_kick();
   bool all_pass(const Step &, int first) const;
   void constrain(const Step &, int i);
   void require_open_box(int where) const;

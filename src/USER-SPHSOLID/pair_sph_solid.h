@@ -87,6 +87,7 @@ class PairSPHSolid : public Pair {
   bool has_energy() const;                    // is there an energy equation?
   void require_energy(const char *) const;    // stop if not; for whom, for the message
   bool moves(int) const;                      // does a fix sph/solid move own atom i?
+  bool kicks(int) const;                      // or one that kicks as it does?
   bool has_material(int) const;               // of own atom i: in a hybrid, others may have none
   double time_step_limit() const;             // own atoms, Courant number 1 [time]
   // those of fix sph/solid/dt auto; want_courant_number() before a run, or it is not looked for

@@ -252,7 +252,7 @@ void PairSPHSolid::create_partners()
   if (partners) return;
   partners = dynamic_cast<FixSPHSolidPartners *>(modify->get_fix_by_id(PARTNERS_ID));
   if (partners && partners->left)
-    sweeps->ledger = *partners->left;
+    ledger() = *partners->left;
   else
     partners = dynamic_cast<FixSPHSolidPartners *>(
         modify->add_fix(std::string(PARTNERS_ID) + " all SPH/SOLID/PARTNERS"));
@@ -291,8 +291,8 @@ void PairSPHSolid::renew_reference(int groupbit)
 {
   if (options->frame != Frame::LAGRANGIAN)
     error->all(FLERR, "Fix_modify reference: frame eulerian has no reference configuration");
-  require_partners();
-  if (partners) partners->forget(groupbit);
+  create_partners();    // of a restart file, or of a pair style before this one
+  partners->forget(groupbit);
 }
 
 /* ----------------------------------------------------------------------

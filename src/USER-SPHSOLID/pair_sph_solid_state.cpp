@@ -204,6 +204,11 @@ bool PairSPHSolid::moves(int i) const
   return (atom->mask[i] & integrated) != 0;
 }
 
+bool PairSPHSolid::kicks(int i) const
+{
+  return (atom->mask[i] & kicked) != 0;
+}
+
 double PairSPHSolid::smoothing_length(int i) const
 {
   return types[atom->type[i]].h;

@@ -261,6 +261,32 @@ TEST(ChangedSmoothingLength, IsTakenWithANewReference)
   }
 }
 
+// it does not matter that the pair style is new, or has come with a restart file
+
+TEST(ChangedSmoothingLength, IsTakenWithANewReferenceOfAnOlderPairStyle)
+{
+  const std::string renew = "fix_modify move reference renew\n", path = file("renewed.restart");
+  {
+    Session s;
+    s(body().script());
+    s("run 1\nwrite_restart " + path + "\npair_style none\n" + interaction_with(1.45e-3) + renew +
+      "run 1");
+  }
+  Session s;
+  s("read_restart " + path + "\n" + interaction_with(1.45e-3) + MOVE + renew + "run 1");
+}
+
+// particles that are new have the partners of their time
+
+TEST(ChangedCorrection, OfATypeThatHasNoPartnersYet)
+{
+  std::string script = with_two_types();
+  Session s;
+  s(script +
+    "run 1\nlattice sq 0.002\nregion other block 5 7.1 5 7.1 INF INF\n"
+    "create_atoms 2 region other\nset type 2 volume 4e-6\nrun 1");
+}
+
 // a reference that is renewed in the step in which it has been made: its partners are found by a
 // neighbor list of that step, in bins of another size
 

@@ -172,6 +172,79 @@ TEST(OtherForcesOfTheSameKind, ContinueBitwise)
   }
 }
 
+// another integrator kicks alike, and heats in another way
+
+TEST(OtherIntegrator, KeepsTheEnergy)
+{
+  for (const char *frame : {"lagrangian", "eulerian"}) {
+    SCOPED_TRACE(frame);
+    Session s;
+    s(summed(frame).script());
+    s("run 20");
+    const double before = s.value("c_e");
+    s("group some id < 20\ngroup others subtract all some\nunfix move\nfix move some sph/solid\n"
+      "fix nve others nve\nrun 0");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
+    s("run 20");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
+    s("unfix nve\nfix rest others sph/solid\nrun 0");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
+  }
+}
+
+// of two fixes sph/solid the first one goes after other forces have been found; its place is taken
+
+TEST(OtherLeader, KeepsTheEnergy)
+{
+  for (const char *frame : {"lagrangian", "eulerian"}) {
+    SCOPED_TRACE(frame);
+    Block b = summed(frame);
+    b.material = "inline rho0 7850 eos linear 170e9 shear 80e9 strength perfect 600e6\n";
+    b.fixes = "group low id < 20\ngroup high subtract all low\nfix a low sph/solid\n"
+              "fix b high sph/solid\n" +
+        MOVE_AND_SUM.substr(MOVE_AND_SUM.find("timestep")) + "fix push all addforce 0 1e4 0\n";
+    Session s;
+    s(b.script());
+    s("run 20");
+    const double before = s.value("c_e");
+    s("unfix push\nrun 0\nunfix a\nfix a low sph/solid\nrun 0");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
+  }
+}
+
+// a wall just below the block, which flies on to it: nobody passes
+
+TEST(OtherForcesOfANewWall, StopParticlesInTheFirstStep)
+{
+  for (const char *frame : {"lagrangian", "eulerian"}) {
+    SCOPED_TRACE(frame);
+    Block b;
+    b.nx = b.ny = 6;
+    b.frame = frame;
+    b.fixes = MOVE_AND_SUM;
+    Session s;
+    s(b.script());
+    s("run 10");
+    const double foot = s.particle(1).x[1], wall = foot - 1.0e-7;    // a step is 1.6e-5
+    const double before = s.value("c_e");
+    s("fix wall all sph/solid/wall ylo " + num(wall) + "\nrun 1");
+    EXPECT_NEAR(s.particle(1).x[1], wall, 1.0e-15);
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);    // with what the wall has taken
+    s("run 20");
+    EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
+  }
+}
+
+TEST(RunOfNoStepsWithoutSetup, ChangesNothing)
+{
+  for (const char *frame : {"lagrangian", "eulerian"}) {
+    Block b = body();
+    b.frame = frame;
+    expect_bitwise(run(b, "run 40"), run(b, "run 20\nrun 0 pre no\nrun 20"));
+    expect_bitwise(run(b, "run 40"), run(b, "run 20\nrun 0 pre no\nrun 20 pre no"));
+  }
+}
+
 // what a run without setup would undo or forget
 
 TEST(RunWithoutSetup, IsRefusedAfterAChange)

@@ -221,6 +221,21 @@ TEST(Restart, GoesOnWithAnotherPairStyleCommand)
   EXPECT_EQ(s.value("step"), 60.0);
 }
 
+// a fix that asks for energies while the run begins, before the wall has pushed
+
+TEST(Restart, WithAnAverageBeforeTheWallContinuesBitwise)
+{
+  const std::string path = file("average.restart"), energy = "compute e all sph/solid/energy\n",
+                    average = "fix average all ave/time 1 1 1 c_e\n", wall = "fix floor";
+  std::string fixes = FIXES;
+  fixes.insert(fixes.find(wall), energy + average);
+  Session straight;
+  straight(rod() + energy + "run 60\nwrite_restart " + path + "\nrun 20");
+  Session s;
+  s("read_restart " + path + "\n" + NEIGHBOR + fixes + "run 20");
+  expect_bitwise(straight.state(), s.state());
+}
+
 // a wall of the same name at another place is another wall: nobody may be behind it
 
 TEST(Restart, WithAWallElsewhereIsChecked)
