@@ -224,21 +224,28 @@ void FixSPHSolid::settle()
   if (mark_of_forces() == forces_mark) return;
   std::swap_ranges(atom->esph, atom->esph + atom->nlocal, own->esph_half);
   heats_itself = true;
-  for (Fix *fix : modify->get_fix_by_style("^sph/solid$"))
-    dynamic_cast<FixSPHSolid *>(fix)->dt_pending = 0.0;
+  start_from_rest();
   for (Fix *fix : modify->get_fix_by_style("^sph/solid/wall$"))
     dynamic_cast<FixSPHSolidWall *>(fix)->begin_anew();
 }
 
+// no fix sph/solid has anything to go on from
+
+void FixSPHSolid::start_from_rest()
+{
+  for (Fix *of_group : modify->get_fix_by_style("^sph/solid$")) {
+    auto *fix = dynamic_cast<FixSPHSolid *>(of_group);
+    fix->dt_pending = 0.0;
+    fix->fingerprint = 0;
+  }
+}
+
 std::uint64_t FixSPHSolid::mark_of_forces() const
 {
-  std::uint64_t mine = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    SPHSolid::Fingerprint print(static_cast<std::uint64_t>(atom->tag[i]));
+  auto add = [this](SPHSolid::Fingerprint &print, int i) {
     for (int k = 0; k < 3; k++) print.add(atom->f[i][k]);
-    mine += print.value();
-  }
-  return SPHSolid::sum_over_ranks(mine, world);
+  };
+  return SPHSolid::fingerprint_of_particles(atom->nlocal, atom->tag, world, add);
 }
 
 // fix_modify ID reference renew: the group's next run starts from the
@@ -254,10 +261,7 @@ int FixSPHSolid::modify_param(int narg, char **arg)
 
   // the heat of the last half kick belongs to the forces of the old reference: the next run starts
   // from rest in time
-  for (Fix *fix : modify->get_fix_by_style("^sph/solid$")) {
-    dynamic_cast<FixSPHSolid *>(fix)->dt_pending = 0.0;
-    dynamic_cast<FixSPHSolid *>(fix)->fingerprint = 0;
-  }
+  start_from_rest();
   p->renew_reference(groupbit);
   return 2;
 }
@@ -268,9 +272,7 @@ int FixSPHSolid::modify_param(int narg, char **arg)
 std::uint64_t FixSPHSolid::state_fingerprint(const double *esph) const
 {
   const double unit = PLACE * pair->largest_smoothing_length();
-  std::uint64_t mine = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    SPHSolid::Fingerprint print(static_cast<std::uint64_t>(atom->tag[i]));
+  auto add = [&](SPHSolid::Fingerprint &print, int i) {
     for (int k = 0; k < 3; k++) print.add(atom->v[i][k]);
     double x[3];
     domain->unmap(atom->x[i], atom->image[i], x);
@@ -280,9 +282,10 @@ std::uint64_t FixSPHSolid::state_fingerprint(const double *esph) const
       print.add(value);
     print.add(atom->type[i]);
     print.add((pair->moves(i) ? 1 : 0) + (pair->kicks(i) ? 2 : 0));
-    mine += print.value();
-  }
-  return (SPHSolid::sum_over_ranks(mine, world) + pair->numerics_mark()) | 1;
+  };
+  return (SPHSolid::fingerprint_of_particles(atom->nlocal, atom->tag, world, add) +
+          pair->numerics_mark()) |
+      1;
 }
 
 /* ----------------------------------------------------------------------
@@ -321,7 +324,7 @@ void FixSPHSolid::initial_integrate(int)
   });
 }
 
-void FixSPHSolid::require_unchanged()
+void FixSPHSolid::require_unchanged() const
 {
   pair->require_current("A run with 'pre no'");
   if (leading && fingerprint != state_fingerprint(atom->esph))
@@ -396,7 +399,7 @@ void FixSPHSolid::add_heat()
   });
 }
 
-void FixSPHSolid::pending_heat(double *out)
+void FixSPHSolid::pending_heat(double *out) const
 {
   if (unsettled) {    // either way the energies that belong to the velocities are in esph_half
     for (int i = 0; i < atom->nlocal; i++)

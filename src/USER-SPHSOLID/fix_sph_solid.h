@@ -43,7 +43,7 @@ class FixSPHSolid : public Fix {
 
   // during a run, atom->esph lags half a step behind x and v: the heat of that half step,
   // in energy per particle, for output (all own atoms)
-  void pending_heat(double *);
+  void pending_heat(double *) const;
 
   // the fix that books heat for all of them: the first one defined
   static FixSPHSolid *leader(class LAMMPS *);
@@ -78,7 +78,8 @@ class FixSPHSolid : public Fix {
   void catch_up();
   void go_back();
   void settle();
-  void require_unchanged();
+  void start_from_rest();
+  void require_unchanged() const;
   std::uint64_t mark_of_forces() const;
   bool moves_alone() const;
   void add_heat();

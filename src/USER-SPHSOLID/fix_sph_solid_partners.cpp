@@ -37,6 +37,11 @@ static bool same(double a, double b)
   return std::fabs(a - b) <= SAME * std::max(a, b);
 }
 
+static bool any(const std::vector<int> &flags)
+{
+  return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
+
 /* ---------------------------------------------------------------------- */
 
 FixSPHSolidPartners::FixSPHSolidPartners(LAMMPS *lmp, int narg, char **arg) :
@@ -205,10 +210,9 @@ void FixSPHSolidPartners::require_same(const std::vector<double> &h,
   std::vector<double> now(3, 0.0);
   for (int d = 0; d < domain->dimension; d++)
     if (domain->periodicity[d]) now[d] = domain->prd[d];
-  require_reach(reach);
   const std::vector<int> have_partners = types_with_partners();
-  const bool partners = std::count(have_partners.begin(), have_partners.end(), 1) > 0;
-  if (!partners || lengths.size() != now.size()) lengths = now;
+  require_reach(reach, have_partners);
+  if (!any(have_partners) || lengths.size() != now.size()) lengths = now;
   for (int d = 0; d < 3; d++)
     if (!same(now[d], lengths[d]))
       error->all(FLERR, Error::NOLASTLINE,
@@ -231,9 +235,9 @@ std::vector<int> FixSPHSolidPartners::types_with_partners() const
 
 // pair_style may come again, with a correction that reaches further
 
-void FixSPHSolidPartners::require_reach(const std::vector<double> &reach) const
+void FixSPHSolidPartners::require_reach(const std::vector<double> &reach,
+                                        const std::vector<int> &have_partners) const
 {
-  const std::vector<int> have_partners = types_with_partners();
   for (std::size_t t = 1; t < std::min(reach.size(), reach_then.size()); t++)
     if (have_partners[t] && reach[t] > (1.0 + SAME) * reach_then[t])
       error->all(
@@ -257,7 +261,7 @@ void FixSPHSolidPartners::refer(NeighList *list, double **cutsq, int **setflag,
   if (reach_then.size() != reach.size()) reach_then = reach;
   for (std::size_t t = 1; t < reach.size(); t++)
     reach_then[t] = have_partners[t] ? std::min(reach_then[t], reach[t]) : reach[t];
-  drop_reused_ids();
+  if (any(have_partners)) drop_reused_ids();
   nchanges++;
 
   // which ghosts are without a reference travels as a negative volume

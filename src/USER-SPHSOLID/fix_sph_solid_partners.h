@@ -134,7 +134,7 @@ class FixSPHSolidPartners : public Fix {
   void widen(int);
   std::uint64_t fingerprint_of_ids() const;
   bool needs_reference(int i, int **setflag) const;
-  void require_reach(const std::vector<double> &reach) const;
+  void require_reach(const std::vector<double> &reach, const std::vector<int> &have_partners) const;
   std::vector<int> types_with_partners() const;
   void present_partners(class NeighList *list, int ii, double **cutsq,
                         std::vector<tagint> &found) const;

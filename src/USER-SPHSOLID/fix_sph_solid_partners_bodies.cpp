@@ -77,8 +77,8 @@ FixSPHSolidPartners::Bodies FixSPHSolidPartners::bodies() const
   std::vector<tagint> same;    // two names of one body
   const std::vector<tagint> all_pairs = of_all_ranks(pairs);
   for (std::size_t k = 0; k < all_pairs.size(); k += 2) {
-    const int j = where(all_pairs[k + 1]);
-    if (j >= 0 && j < atom->nlocal) same.insert(same.end(), {all_pairs[k], tag[here.root(j)]});
+    const int j = where_own(all_pairs[k + 1]);
+    if (j >= 0) same.insert(same.end(), {all_pairs[k], tag[here.root(j)]});
   }
 
   std::map<tagint, bigint> sizes;

@@ -73,6 +73,7 @@ void FixSPHSolidPartners::find(bool setup, int **setflag)
 
 void FixSPHSolidPartners::require_on_one_side(int d, double plane, double tolerance) const
 {
+  const tagint *tag = atom->tag;
   for (const int i : own)
     for (int k = 0; k < count[i]; k++) {
       const int j = row[i][k];
@@ -83,7 +84,7 @@ void FixSPHSolidPartners::require_on_one_side(int d, double plane, double tolera
             "sph/solid, frame lagrangian: the symmetry plane {} = {} passes between partners "
             "{} and {} as they lie in the reference: expected one beside the body, or "
             "fix_modify ... reference renew",
-            "xyz"[d], plane, atom -> tag[i], atom -> tag[j]);
+            "xyz"[d], plane, tag[i], tag[j]);
     }
 }
 
@@ -177,11 +178,6 @@ std::vector<tagint> FixSPHSolidPartners::of_all_ranks(std::vector<tagint> &mine)
 
 void FixSPHSolidPartners::drop_reused_ids()
 {
-  bool any = false;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] > 0) any = true;
-  if (!on_any_rank(any)) return;    // as in a first run
-
   std::vector<tagint> own_new, reused;
   for (int i = 0; i < atom->nlocal; i++)
     if (npartner[i] < 0) own_new.push_back(atom->tag[i]);
@@ -222,10 +218,7 @@ void FixSPHSolidPartners::resolve_missing(std::vector<tagint> &missing, bool set
   // every rank learns what is missing anywhere, and who has it
   const std::vector<tagint> all = of_all_ranks(missing);
   std::vector<int> have(total), anyone(total);
-  for (int k = 0; k < total; k++) {
-    const int i = where(all[k]);
-    have[k] = (i >= 0 && i < atom->nlocal) ? 1 : 0;
-  }
+  for (int k = 0; k < total; k++) { have[k] = where_own(all[k]) >= 0 ? 1 : 0; }
   MPI_Allreduce(have.data(), anyone.data(), total, MPI_INT, MPI_MAX, world);
   std::vector<tagint> deleted;
   for (int k = 0; k < total; k++) {

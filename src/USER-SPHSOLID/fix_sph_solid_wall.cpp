@@ -32,10 +32,7 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-// a particle this close to the plane, in smoothing lengths, is on it
-static constexpr double ON_PLANE = 1.0e-6;
-
-// and this far behind a contact wall it may be between runs: it has landed there with a step that became
+// so far behind a contact wall a particle may be between runs, in smoothing lengths: it has landed there with a step that became
 // another one on the way
 static constexpr double BEHIND = 1.0e-3;
 

@@ -41,6 +41,17 @@ static constexpr double ODD_MASS = 2.0;
 // happened yet
 static constexpr double ODD_DENSITY = 0.1;
 
+// how many of n own particles are so, on all ranks together
+
+template <class Call> static bigint count_particles(int n, MPI_Comm world, Call is)
+{
+  bigint mine = 0, all = 0;
+  for (int i = 0; i < n; i++)
+    if (is(i)) mine++;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}
+
 // between runs pair_style commands can take the pair style away or make a new one
 
 PairSPHSolid *PairSPHSolid::ready(LAMMPS *lmp)
@@ -118,19 +129,16 @@ void PairSPHSolid::require_one_integrator()
 void PairSPHSolid::warn_idle_velocities()
 {
   int movers = 0;
-  bigint mine = 0, all = 0;
   for (const auto &fix : modify->get_fix_list())
     if (fix->time_integrate) {
       if (group->dynamic[fix->igroup]) return;    // its members are not known yet
       movers |= fix->groupbit;
     }
-  for (int i = 0; i < atom->nlocal; i++) {
+  const bigint all = count_particles(atom->nlocal, world, [this, movers](int i) {
     const double *v = atom->v[i];
-    const int t = atom->type[i];
-    if ((atom->mask[i] & movers) || !setflag[t][t]) continue;
-    if (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0) mine++;
-  }
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    return !(atom->mask[i] & movers) && has_material(i) &&
+        (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0);
+  });
   if (all && comm->me == 0)
     error->warning(FLERR,
                    "sph/solid: {} particles have a velocity and no fix moves them: their neighbors "
@@ -145,10 +153,9 @@ void PairSPHSolid::require_heat_first()
   for (const auto &fix : modify->get_fix_list()) {
     if (strcmp(fix->style, "sph/solid") == 0) return;
     if (!fix->time_integrate) continue;
-    bigint mine = 0, all = 0;
-    for (int i = 0; i < atom->nlocal; i++)
-      if ((atom->mask[i] & fix->groupbit) && has_material(i)) mine++;
-    MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    const bigint all = count_particles(atom->nlocal, world, [this, fix](int i) {
+      return (atom->mask[i] & fix->groupbit) && has_material(i);
+    });
     if (all)
       error->all(FLERR,
                  "Pair style sph/solid: fix {} of style {} moves {} particles before the first fix "
@@ -161,15 +168,14 @@ void PairSPHSolid::require_heat_first()
 
 void PairSPHSolid::require_apart(const Fix *fix)
 {
-  bigint twice = 0, twice_all = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & fix->groupbit) && (atom->mask[i] & integrated)) twice++;
-  MPI_Allreduce(&twice, &twice_all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  if (twice_all)
+  const bigint twice = count_particles(atom->nlocal, world, [this, fix](int i) {
+    return (atom->mask[i] & fix->groupbit) && (atom->mask[i] & integrated);
+  });
+  if (twice)
     error->all(FLERR,
                "Pair style sph/solid: fix {} of style {} moves {} particles that a fix "
                "sph/solid moves too: expected one of the two per particle",
-               fix->id, fix->style, twice_all);
+               fix->id, fix->style, twice);
 }
 
 void PairSPHSolid::require_single_layer()

@@ -21,6 +21,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_sph_solid_partners.h"
+#include "fix_sph_solid_wall.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -44,9 +45,6 @@ using namespace LAMMPS_NS;
 using namespace SPHSolid;
 
 static constexpr char PARTNERS_ID[] = "SPHSOLID_PARTNERS";
-
-// a particle this close to a symmetry plane, in smoothing lengths, is on it
-static constexpr double ON_PLANE = 1.0e-6;
 
 /* ----------------------------------------------------------------------
    particles have moved between ranks and their neighbors are new.  In the
@@ -74,10 +72,10 @@ void PairSPHSolid::new_neighbors(bool setup)
       empty_list();
     }
     partners->find(setup, setflag);
-    for (const Plane &plane : sweeps->images.all_planes())
-      if (setup)
+    if (setup)
+      for (const Plane &plane : sweeps->images.all_planes())
         partners->require_on_one_side(plane.dim, plane.position,
-                                      ON_PLANE * largest_smoothing_length());
+                                      FixSPHSolidWall::ON_PLANE * largest_smoothing_length());
   }
   Particles p = particles();
   std::vector<std::int64_t> id;

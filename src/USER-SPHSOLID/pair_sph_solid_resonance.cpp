@@ -57,14 +57,11 @@ void PairSPHSolid::find_courant_number()
 
 std::uint64_t PairSPHSolid::mark_of_bodies() const
 {
-  std::uint64_t mark = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    Fingerprint print(static_cast<std::uint64_t>(atom->tag[i]));
+  auto add = [this](Fingerprint &print, int i) {
     for (const double value : {atom->rmass[i], atom->vfrac[i]}) print.add(value);
     print.add(atom->type[i]);
-    mark += print.value();
-  }
-  Fingerprint with_changes(sum_over_ranks(mark, world));
+  };
+  Fingerprint with_changes(fingerprint_of_particles(atom->nlocal, atom->tag, world, add));
   with_changes.add(partners->changes());
   for (const Plane &plane : sweeps->images.all_planes()) {
     with_changes.add(plane.dim);

@@ -19,6 +19,7 @@
 #define LMP_SPH_SOLID_RANKS_H
 
 #include "lmptype.h"
+#include "sph_solid_fingerprint.h"
 #include "sph_solid_sweeps.h"
 
 #include <cstdint>
@@ -36,6 +37,20 @@ inline std::uint64_t sum_over_ranks(std::uint64_t value, MPI_Comm world)
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   std::memcpy(&value, &all, sizeof(all));
   return value;
+}
+
+// of n particles, whatever their order is; add(print, i) says what counts of particle i
+
+template <class Add>
+std::uint64_t fingerprint_of_particles(int n, const LAMMPS_NS::tagint *tag, MPI_Comm world, Add add)
+{
+  std::uint64_t mine = 0;
+  for (int i = 0; i < n; i++) {
+    Fingerprint print(static_cast<std::uint64_t>(tag[i]));
+    add(print, i);
+    mine += print.value();
+  }
+  return sum_over_ranks(mine, world);
 }
 
 inline Range over_ranks(Range mine, MPI_Comm world)    // a copy: the MPI stubs take no const
