@@ -169,7 +169,7 @@ class PairSPHSolid : public Pair {
   void log_apart();
   bool has_unlike_materials() const;
   void empty_list();
-  void sort_rows();
+  void require_countable_neighbors() const;
   void require_distinct_places() const;
   static void give_back_freed_memory();
   void pack_kinematics(bool);

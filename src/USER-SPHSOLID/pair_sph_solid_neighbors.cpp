@@ -59,7 +59,7 @@ void PairSPHSolid::new_neighbors(bool setup)
   if (setup) log_apart();
   if (!partners) {
     if (setup) require_distinct_places();
-    sort_rows();
+    require_countable_neighbors();
   } else {
     if (!setup && partners->in_place()) return;
     if (setup) partners->require_same(smoothing_lengths(), cutoffs());
@@ -78,12 +78,9 @@ void PairSPHSolid::new_neighbors(bool setup)
                                       FixSPHSolidWall::ON_PLANE * largest_smoothing_length());
   }
   Particles p = particles();
-  std::vector<std::int64_t> id;
-  if (partners) {
-    id.assign(atom->tag, atom->tag + p.nall);
-    p.id = id.data();
-    if (setup) sweeps->unlike = has_unlike_materials();
-  }
+  const std::vector<std::int64_t> id(atom->tag, atom->tag + p.nall);
+  p.id = id.data();
+  if (partners && setup) sweeps->unlike = has_unlike_materials();
   sweeps->new_neighbors(p, rows(), largest_cutoff() + neighbor->skin);
   if (partners && partners->forget_rows()) give_back_freed_memory();
   if (refers) {
@@ -293,12 +290,9 @@ void PairSPHSolid::renew_reference(int groupbit)
   partners->forget(groupbit);
 }
 
-/* ----------------------------------------------------------------------
-   rows in the order of atom IDs: sums do not depend on where atoms are
-   stored, so neither on ranks, sorting nor restarts
-------------------------------------------------------------------------- */
+// the Eulerian frame numbers places of candidates, of whole vectors
 
-void PairSPHSolid::sort_rows()
+void PairSPHSolid::require_countable_neighbors() const
 {
   bigint candidates = 0;
   for (int ii = 0; ii < list->inum; ii++) candidates += list->numneigh[list->ilist[ii]] + 2 * LANES;
@@ -307,16 +301,4 @@ void PairSPHSolid::sort_rows()
                "sph/solid: the particles of rank {} have {} neighbors, and at most {} can be "
                "counted: expected more ranks",
                comm->me, candidates, MAXSMALLINT);
-  const tagint *tag = atom->tag;
-  double **x = atom->x;
-  auto before = [tag, x](int a, int b) {
-    a &= NEIGHMASK;
-    b &= NEIGHMASK;
-    if (tag[a] != tag[b]) return tag[a] < tag[b];
-    return std::lexicographical_compare(x[a], x[a] + 3, x[b], x[b] + 3);    // periodic images
-  };
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    std::sort(list->firstneigh[i], list->firstneigh[i] + list->numneigh[i], before);
-  }
 }

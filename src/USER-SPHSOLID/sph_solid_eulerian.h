@@ -16,54 +16,24 @@
    the present positions; see sph_solid_sweeps.h.
 
    The class; its members are in
-     sph_solid_eulerian_rows.h       storage, what neighbors read: messages, mirror images
-     sph_solid_eulerian_viscous.h    switch of a viscosity, acceleration correction
-     sph_solid_eulerian_heat.h       heat, virial
-     sph_solid_sweeps_eulerian.cpp   gradient and force
+     sph_solid_eulerian_candidates.h    what stays until neighbors are new: who may become a pair
+     sph_solid_eulerian_rows.h          what neighbors read: messages, mirror images
+     sph_solid_eulerian_viscous.h       switch of a viscosity, acceleration correction
+     sph_solid_eulerian_heat.h          heat, virial
+     sph_solid_sweeps_eulerian.cpp      gradient and force
 
-   Every particle has a row of pairs, and a vector has some pairs of one particle.  What
-   is read of neighbors lies in packed rows (sph_solid_rows.h).
+   Every lane has a particle of its own, and candidates come in slots, as the partners of the
+   Lagrangian frame do.  In every step the slots are found in which there is a pair: bodies that
+   have flowed far are still rows of particles side by side, whose neighbors lie side by side.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_EULERIAN_H
 #define LMP_SPH_SOLID_EULERIAN_H
 
-#include "sph_solid_points.h"
-#include "sph_solid_rows.h"
-
-#include <utility>
-
-using namespace SPHSolid;
-
-// of one source file, sph_solid_sweeps_eulerian.cpp, as the compiler should know
+#include "sph_solid_column_sweeps.h"
+#include "sph_solid_slots.h"
 
 namespace {
-
-// a sweep asks for the data of pairs so many pairs ahead
-constexpr int PAIRS_AHEAD = 64;
-
-// call(k, left) for the pairs of a row from k on, a vector at a time, of which so many are left:
-// a constant where the vector is whole.  Behind a row lie pairs of another one, or anything
-
-using Whole = std::integral_constant<int, LANES>;
-
-template <class Call> inline void each_vector(int n, Call call)
-{
-  int k = 0;
-  for (; k + LANES <= n; k += LANES) call(k, Whole());
-  if (k < n) call(k, n - k);
-}
-
-// numbers of pairs, 0 behind the row
-
-inline Pack of_row(Pack numbers, Whole)
-{
-  return numbers;
-}
-inline Pack of_row(Pack numbers, int left)
-{
-  return where_positive(first_lanes(left), numbers, Pack(0.0));
-}
 
 // call with flags as constants
 
@@ -87,14 +57,12 @@ template <class Call, class... Flags> void with_flags(Call call, bool first, Fla
         others...);
 }
 
-template <int D> class EulerianSweeps : public PointSweeps<D> {
+template <int D> class EulerianSweeps : public ColumnSweeps<D> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      PointSweeps<D>(o, t),
-      ntensors((o.tensile ? 1 : 0) + (needs_rates(pair_form(o.viscosity)) ? 1 : 0)),
-      stress_stride(extra(ntensors)), uniform(are_alike(t)),
-      stride(uniform ? Kin::SHORT : Kin::STRIDE), da_in_rows(D == 2 && uniform),
-      da_stride(uniform ? da_stride_of<true>() : da_stride_of<false>()),
+      ColumnSweeps<D>(o, t), uniform(are_alike(t)), at_rate(FIXED + (o.tensile ? D * D : 0)),
+      at_da(at_rate + (needs_rates(pair_form(o.viscosity)) ? SYMMETRIC : 0)),
+      at_h(at_da + (needs_correction() ? D : 0)), at_near(at_h + 1),
       common_h(Base::largest(t, &TypeData::h)),
       common_near(o.hbar * Base::largest(t, &TypeData::spacing))
   {
@@ -103,10 +71,7 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
   void pack_kinematics(const Particles &, const double *const *) override;
   int gradient(const Particles &, const NeighborRows &, double) override;
-  int message_size(Message) const override;
-  void pack(Message, int, double *) const override;
   void unpack(Message, const Particles &, int, const double *) override;
-  void displace(const Particles &, int, int, const double *) override;
   void mirror_stress() override;
   void find_switch(const Particles &, const NeighborRows &) override;
   void mirror_switch() override;
@@ -115,37 +80,62 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
   void virial(const Particles &, const NeighborRows &, double *) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
-  void velocity(int i, double *v) const override { std::copy_n(kin(i) + Kin::V, D, v); }
-  int neighbor_count(int i) const override { return pairs.count[i]; }
+  int neighbor_count(int i) const override;
   double memory_usage() const override;
 
  private:
   using Base = PointSweeps<D>;
+  using Side = ColumnSweeps<D>;
   using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
       Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
       Base::types, Base::unit_factor;
-  using Batch = typename Base::Batch;
-  using Points = typename Base::Points;
-  using Kin = Kinematics<D>;
-  using Str = Stress<D>;
-  static constexpr int VECTOR = Blocks<D>::VECTOR;
+  using Side::blocks, Side::column_of, Side::columns, Side::component, Side::difference,
+      Side::each_block, Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own,
+      Side::own_list, Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
+  using typename Side::Batch, typename Side::Totals, typename Side::Tensors, typename Side::Part,
+      typename Base::Points;
 
-  const int ntensors, stress_stride;    // tensors that follow the fixed part of a stress row
-  const bool uniform;                   // is there one smoothing length, and one spacing?
-  const int stride;                     // of kinematic rows
-  const bool da_in_rows;                // two dimensions: in place of lengths that all have
-  const int da_stride;
-  const double common_h, common_near;    // if so: what rows of others have as H and NEAR
-  int nown = 0, nrows = 0;               // own; own and ghost with images
+  // components of a column behind positions and velocities: V/h0^(D+2), this step's; mass; what
+  // ghosts are sent, from the constitutive update: T and K, where the force on i from j is
+  // K_i K_j (T_i + T_j) grad W (gradient corrected: K = V, T = sigma B^T; plain: K = m,
+  // T = sigma/rho^2, eq. 19), density, bulk sound speed, n of the correction or the switch of a
+  // viscosity; then, if a scene needs them, R of the artificial stress, the rate of deformation,
+  // the viscous acceleration and, where they differ, smoothing length and support of Wbar
+  static constexpr int VOLUME = 2 * D, MASS = VOLUME + 1, T = MASS + 1, K = T + D * D, RHO = K + 1,
+                       SOUND = RHO + 1, LAST = SOUND + 1, FIXED = LAST + 1;
+  const bool uniform;    // is there one smoothing length, and one spacing?
+  static constexpr int at_tension = FIXED;
+  const int at_rate, at_da, at_h, at_near;
+  int components() const { return at_h + (uniform ? 0 : 2); }
+  const double common_h, common_near;    // if there is one
 
-  // rows of kinematics, stress, and da where kinematic rows have no room for it
-  Rows krow, srow, da_rows;
-  std::vector<double> mu_max;    // largest approach rate of own particles, for a time step limit
-  Pairs pairs;
-  Room<double> near_weight;    // of pairs of nearest neighbors, for the correction
-  Room<double> near_pull;      // weights safe: force on i = m_i/2 near_pull x_ij
-  Room<double> pull;           // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
-  Room<double> crowd;          // of every pair, with artificial stress: (W/W(spacing))^n
+  // slots of candidates, until neighbors are new
+  struct Candidates {
+    std::vector<int> first{0};              // of each block, and one behind the last
+    std::vector<std::ptrdiff_t> further;    // see Slots
+    std::vector<unsigned char> lanes;       // which lanes have one
+    std::vector<char> mirrored;             // is an image among them?
+    std::vector<int> gathered;              // LANES columns each
+    void append(const Candidates &);
+  } candidates;
+  std::vector<int> rank_of;    // of rows: sums over pairs are in this order
+  bool by_position = false;    // or by ID
+  double room_when_tried = 1.4;    // WORTH_ANOTHER_ORDER
+
+  // slots with a pair, found by the gradient sweep: those of a block side by side, in room for all
+  // candidates.  grad_i W = factor/h0^(D+2) x_ij
+  struct Pairs {
+    std::vector<int> first, count, near_first, near_count;    // of blocks
+    Room<std::ptrdiff_t> further;
+    Room<unsigned char> lanes;    // which lanes have a pair
+    Room<float> factor;           // 0 in the others
+    Room<int> near;               // slots with a nearest neighbor
+    Room<double> near_weight;     // of those: m_j Wbar_ij, then the weights
+    Room<double> near_pull;       // weights safe: force on i = m_i/2 near_pull x_ij
+    Room<double> pull;    // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
+    Room<double> crowd;    // with artificial stress: (W/W(spacing))^n
+  } pairs;
+  Rows mu_max;    // of own: largest approach rate, for a time step limit
 
   static bool are_alike(const std::vector<TypeData> &types)
   {
@@ -157,112 +147,92 @@ template <int D> class EulerianSweeps : public PointSweeps<D> {
     }
     return true;
   }
-  template <bool UNIFORM> static constexpr int stride_of()
-  {
-    return UNIFORM ? Kin::SHORT : Kin::STRIDE;
-  }
-  template <bool UNIFORM> static constexpr int da_stride_of()
-  {
-    return D == 2 && UNIFORM ? Kin::SHORT : VECTOR;
-  }
-  double *kin(int i) { return &krow[static_cast<std::size_t>(i) * stride]; }
-  const double *kin(int i) const { return &krow[static_cast<std::size_t>(i) * stride]; }
-  // of a kinematic row
-  template <bool UNIFORM> double h_of(const double *row) const
-  {
-    return UNIFORM ? common_h : row[Kin::H];
-  }
-  template <bool UNIFORM> double near_of(const double *row) const
-  {
-    return UNIFORM ? common_near : row[Kin::NEAR];
-  }
-  double *da(int i) { return const_cast<double *>(std::as_const(*this).da(i)); }
-  const double *da(int i) const
-  {
-    const double *first = da_in_rows ? krow.data() + Kin::LENGTHS + Kin::H_LANE : da_rows.data();
-    return first + static_cast<std::size_t>(i) * da_stride;
-  }
-  double *str(int i) { return &srow[i * stress_stride]; }
-  const double *str(int i) const { return &srow[i * stress_stride]; }
-  // tensor k of those that follow the fixed part of a row
-  static constexpr int extra(int k) { return Str::STRIDE + k * Blocks<D>::TENSOR; }
-  int at_rate() const { return extra(opt.tensile ? 1 : 0); }    // velocity gradient in a row
-  const double *u(int i) const { return kin(i) + Kin::V; }      // during heat: displacements
+  Part part_of(Message) const override;
 
-  Vector<D> separation(int i, int j) const
-  {
-    Vector<D> d;
-    for (int a = 0; a < D; a++) d[a] = kin(i)[Kin::X + a] - kin(j)[Kin::X + a];
-    return d;
-  }
-  bool is_lonely(int i) const { return needs_correction() && !(str(i)[Str::NSUM] > 0.0); }
+  // candidates
+  struct Arranging;
+  void place_columns(const Particles &, const NeighborRows &);
+  void arrange_candidates(const Particles &, const NeighborRows &);
+  double room() const;
+  void make_room_for_pairs();
 
-  // rows
-  void size_rows(const Particles &);
-  void make_room_for_pairs(const NeighborRows &);
-  int images_of(int i) const { return images.any() ? image_first[i + 1] - image_first[i] : 0; }
-  void pack_constants(const Particles &, int i, double *row) const;
-  void mirror_vectors(double *rows, int step) const;
-  double *place_of(Message, int i);
-  void write_rows(const Batch &, const Points &, const Tensor<D, Pack> &T, Pack K, Pack nsum);
-  void write_tensors(const Batch &, int at, const Tensor<D, Pack> &);
-  void prefetch_points(const Particles &, const Batch &) const;
+  // a sweep's view of the columns that slots of a block read.  Of gathered ones there are
+  // components [first, end) and [second, second_end)
+  class Neighbors {
+   public:
+    Neighbors(const EulerianSweeps &s, int block, int from, int to, int from2 = 0, int to2 = 0) :
+        of(s), i(s.columns.at(block * LANES)), first(from), end(to), second(from2), second_end(to2)
+    {
+    }
+    [[gnu::always_inline]] const double *operator()(std::ptrdiff_t further)
+    {
+      if (further < Slots::GATHERED) return i + further;
+      return gathered(&of.candidates.gathered[(further - Slots::GATHERED) * LANES]);
+    }
 
-  // gradient; of a batch
-  struct Sums {
-    Several<D> moment[LANES], velocity[LANES];    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
-    double nsum[LANES];                           // sum m_j Wbar
+   private:
+    const EulerianSweeps &of;
+    const double *const i;
+    const int first, end, second, second_end;
+    typename Side::Scratch scratch;
+
+    const double *gathered(const int *from)
+    {
+      of.gather(from, first, end, scratch);
+      of.gather(from, second, second_end, scratch);
+      return scratch.of;
+    }
   };
-  struct Scratch;
-  template <bool UNIFORM, bool IMAGES> void gather(int i, int n, const int *list, Scratch &) const;
-  template <bool UNIFORM> void find_pairs(int i, const NeighborRows &, Scratch &);
-  template <bool UNIFORM> void find_factors(Scratch &);
-  template <bool UNIFORM> void accumulate(int i, const Scratch &, Sums &, int lane);
-  template <bool UNIFORM> void find_sums(const Batch &, const NeighborRows &, Scratch &, Sums &);
-  int update(const Particles &, const Batch &, Sums &, double dt, double &plastic);
-  Tensor<D, Pack> tension_stress(const Tensor<D, Pack> &) const;
+
+  // gradient; of a block
+  struct Sums {
+    Tensors moment, velocity;    // sum V (x_j-x_i)(x)g and sum V (v_j-v_i)(x)g
+    Pack nsum;                   // sum m_j Wbar
+  };
+  struct Finding;
+  template <bool UNIFORM> void find_pairs(int block, Finding &);
+  template <bool UNIFORM> void find_factors(int block, Finding &);
+  template <bool UNIFORM> Sums accumulate(int block, Finding &);
+  int update(const Particles &, int block, const Batch &, Sums &, double dt, Totals &);
+  Tensors tension_stress(const Tensors &) const;
+  // of a pair
+  template <bool UNIFORM> Pack mean_h(const double *i, const double *j) const
+  {
+    return UNIFORM ? Pack(common_h) : 0.5 * (component(i, at_h) + component(j, at_h));
+  }
+  // support of Wbar of a particle
+  template <bool UNIFORM> Pack near_of(const double *i) const
+  {
+    return UNIFORM ? Pack(common_near) : component(i, at_near);
+  }
 
   // force
-  template <PairForm FORM, bool TENSILE, bool UNIFORM> void force_row(const Particles &, int i);
-  template <PairForm FORM> void force_rows(const Particles &, const NeighborRows &);
-  double whole_pull(int i, int pair) const;
-  void lonely_pairs(const Particles &, int i);
-
-  // correction.  call(weights, neighbors, da_i - da_j) for the nearest neighbors of i, some at a
-  // time; behind the last one weights are 0
-  template <class F> void each_few(int i, F call) const
+  template <PairForm FORM> void force_blocks(const Particles &);
+  template <PairForm FORM, bool TENSILE, bool UNIFORM>
+  void force_block(const Particles &, int block, const Batch &);
+  Pack whole_pull(const double *i, const double *j, Pack pull) const;
+  Pack heated_pull(const double *i, const double *j, Pack pull) const
   {
-    const Pack own = load_few<D>(da(i));
-    const int *j = pairs.j.data() + pairs.first[i];
-    const double *weights = near_weight.data() + pairs.near_first[i];
-    for (int k = 0; k < pairs.nearest[i]; k += Few<D>::N)
-      call(load_few_weights<D>(weights + k), j + k, own - load_few<D>(da(0), j + k, da_stride));
+    const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
+    return all ? pull : whole_pull(i, j, pull);
   }
-  Pack central_correction(int i);
 
-  // heat.  Is the kept viscous force of every pair heat as it is?  A compatible correction heats
-  // in a way of its own
-  bool heats_pairs() const
+  // correction: of pair number n of the nearest ones of a block, what its force is along
+  // and what it is times m_i/2
+  int along() const { return safe() ? X : at_da; }
+  const double *near_factors(int block) const
   {
-    return keeps_pairs() && !(needs_correction() && opt.heating == Heating::COMPATIBLE);
+    return (safe() ? pairs.near_pull : pairs.near_weight).data() +
+        pairs.near_first[block] * std::size_t(LANES);
   }
-  // is that of the correction found along with the work of other forces?
-  bool heats_with_pairs() const { return needs_correction() && Base::heats_evenly(); }
-  // what the forces of a row's pairs give to i while all particles move by u; of
-  // the stress the half with sigma_i, of the viscosity half of each pair's
-  struct Power {
-    double stress = 0.0, viscous = 0.0, corrected = 0.0;
-  };
-  template <bool PULL, bool TENSILE, bool CORRECT, bool UNIFORM> Power pair_power(int i) const;
-  template <class OfRow>
-  typename Base::Totals sum_heat(const NeighborRows &, double *, OfRow) const;
-  double lonely_power(int i) const;
-  double heat_correction(int i) const;
-  double standard_power(int i, const double *u) const;
+  void safe_pulls(int block);
 
-  Several<D> row_virial(int i) const;
-  Pack pair_force(int i, int pair, const Motion<D> &) const;
-  Pack near_force(int i, int j, int near, const Motion<D> &) const;
+  // heat
+  template <bool PULL, bool TENSILE>
+  void add_power(int block, Pack &stress, Pack &viscous) const;
+  Pack corrected_power(int block) const;
+  Pack standard_power(const double *i, Pack mass) const;
+  Tensors block_virial(const Particles &, int block, const Batch &) const;
 };
 
 }    // namespace

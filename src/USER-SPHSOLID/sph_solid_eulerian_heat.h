@@ -28,155 +28,107 @@ namespace {
 ------------------------------------------------------------------------- */
 
 template <int D>
-void EulerianSweeps<D>::heat(const Particles &, const NeighborRows &list, double *heat, bool book)
+void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat, bool book)
 {
-  mirror_vectors(&krow[Kin::V], stride);
-  for (int row = nparticles; row < nrows; row++) kin(row)[Kin::VOLUME] = str(row)[Str::K];
-  typename Base::Totals totals;
+  this->mirror_vectors(V);
+  Totals totals;
   with_flags(
-      [&](auto pull, auto tensile, auto correct, auto same) {
-        totals = sum_heat(list, heat, [this](int i) {
-          return pair_power<decltype(pull)::value, decltype(tensile)::value,
-                            decltype(correct)::value, decltype(same)::value>(i);
+      [&](auto pull, auto tensile) {
+        totals = each_block([&](int block, const Batch &batch, Totals &t) {
+          const Pack mass = batch.load(p.mass);
+          Pack stress = 0.0, viscous = 0.0;
+          add_power<decltype(pull)::value, decltype(tensile)::value>(block, stress, viscous);
+          viscous *= 0.5 * unit_factor * mass;
+          // what the standard viscosity would heat: here is all of it for eq. 30, else the pairs
+          // that no correction touches
+          const Pack standard = standard_power(columns.at(block * LANES), mass);
+          t.standard += Base::sum_of_first(viscous + standard, batch.n);
+          if (needs_correction()) viscous -= 0.25 * mass * corrected_power(block);
+          t.viscous += Base::sum_of_first(viscous, batch.n);
+          const Pack all = stress + viscous;
+          for (int m = 0; m < batch.n; m++) heat[batch.i[m]] = all[m];
         });
       },
-      heats_pairs(), opt.tensile, heats_with_pairs(), uniform);
+      keeps_pairs(), opt.tensile);
   if (book) Base::enter(totals, 1.0);
 }
 
-// of_row(i): the Power of the pairs of i
+// what the forces of pairs give to i while particles move by u.  Stress: K_i T_i : sum_j
+// K_j (u_j - u_i) (x) g, the sigma_i half of eq. 20, exact adjoint of the force; of the viscosity
+// half of each pair's, without its factors
 
 template <int D>
-template <class OfRow>
-typename EulerianSweeps<D>::Base::Totals
-EulerianSweeps<D>::sum_heat(const NeighborRows &list, double *heat, OfRow of_row) const
+template <bool PULL, bool TENSILE>
+void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
 {
-  using Totals = typename Base::Totals;
-  return join_shares(
-      nthreads, list.inum, Totals(),
-      [&](int first, int end) {
-        Totals share;
-        for (int ii = first; ii < end; ii++) {
-          const int i = list.ilist[ii];
-          const Power power = of_row(i);
-          double q = power.viscous;
-          if (needs_correction()) {
-            // what the standard viscosity would heat: q has all of it for eq. 30,
-            // else the pairs that no correction touches
-            q += lonely_power(i);
-            share.standard += q + standard_power(i, u(i));
-            q += heats_with_pairs() ? power.corrected : heat_correction(i);
-          }
-          heat[i] = power.stress + q;
-          share.viscous += q;
-        }
-        return share;
-      },
-      Totals::add);
-}
-
-// stress power K_i T_i : sum_j K_j (u_j - u_i) (x) g: the sigma_i half of
-// eq. 20, exact adjoint of the force
-
-template <int D>
-template <bool PULL, bool TENSILE, bool CORRECT, bool UNIFORM>
-typename EulerianSweeps<D>::Power EulerianSweeps<D>::pair_power(int i) const
-{
-  constexpr int R_AT = extra(0);
-  const double *kall = krow.data(), *si = str(i), *all_da = CORRECT ? da(0) : nullptr;
-  const Motion<D> own(kin(i));
-  const Pack own_da = Motion<D>::load_vector(Addresses(CORRECT ? da(i) : kin(i)));
-  Several<D> gradient = Several<D>::zero(), crowded = gradient;
-  Pack viscous(0.0), corrected(0.0);
-  const int first = pairs.first[i], count = pairs.count[i],
-            nearest = CORRECT ? pairs.nearest[i] : 0;
-  const double *weights = near_weight.data() + pairs.near_first[i];
-  auto add = [&](auto near, int k, auto left) {
-    const int *j = &pairs.j[first + k];
-    const Pack none(0.0);
-    const Spread factor(of_row(load(&pairs.factor[first + k]), left)),
-        tensile(TENSILE ? of_row(load(&crowd[first + k]), left) : none),
-        pulled(PULL ? of_row(load(&pull[first + k]), left) : none),
-        weight(near() && k < nearest ? load(weights + k) : none);
-    for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, stride_of<UNIFORM>());
-      const Motion<D> d = own - Motion<D>(kj);
-      const Several<D> X = d.spread_x();
-      const Pack v = d.expanded_v() * (minus_volume<D>(d, kj) * factor[m]);
-      add_outer(gradient, v, X);
-      if (TENSILE) add_outer(crowded, v * tensile[m], X);
-      if (PULL) viscous = multiply_add(pulled[m], d.products(), viscous);
-      if (near()) {
-        const Pack da_j = Motion<D>::load_vector(Addresses(all_da, j + m, da_stride_of<UNIFORM>()));
-        corrected = multiply_add(weight[m], d.products(own_da - da_j), corrected);
+  const double *i = columns.at(block * LANES);
+  const Tensors own_T = tensor(i, T), own_R = TENSILE ? tensor(i, at_tension) : own_T;
+  const int first = pairs.first[block], count = pairs.count[block];
+  const std::ptrdiff_t *further = pairs.further.data() + first;
+  const std::size_t first_pair = first * std::size_t(LANES);
+  const float *factors = pairs.factor.data() + first_pair;
+  const double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
+  Neighbors neighbors(*this, block, X, V + D, K, FIXED);
+  Pack sum = 0.0, pulled = 0.0;
+  for (int s = 0; s < count; s++) {
+    const double *j = neighbors(further[s]);
+    const Components<D> d = motion(i, j);
+    Pack of_pair = 0.0;
+    each_index<D>([&](auto a) {
+      Pack t = 0.0, r = 0.0;
+      for (int b = 0; b < D; b++) {
+        t = multiply_add(own_T(a(), b), d.x[b], t);
+        if (TENSILE) r = multiply_add(own_R(a(), b), d.x[b], r);
       }
-    }
-  };
-  const std::bool_constant<CORRECT> near;
-  const std::false_type far;
-  int k = 0;
-  for (; k < nearest && k + LANES <= count; k += LANES) add(near, k, Whole());
-  for (; k + LANES <= count; k += LANES) add(far, k, Whole());
-  if (k < count) add(near, k, count - k);
-  double stress = contract(gradient, load_tensor<D>(si));
-  if (TENSILE) stress += contract(crowded, load_tensor<D>(si + R_AT));
-  const double mass = kin(i)[Kin::MASS];
-  return {unit_factor * si[Str::K] * stress, 0.5 * unit_factor * mass * Motion<D>::v_dot_x(viscous),
-          -0.25 * mass * Motion<D>::v_dot_x(corrected)};
+      if (TENSILE) t = multiply_add(load(crowds + s * LANES), r, t);
+      of_pair = multiply_add(d.v[a], t, of_pair);
+    });
+    sum = multiply_add(load(factors + s * LANES) * component(j, K), of_pair, sum);
+    if (PULL) pulled = multiply_add(heated_pull(i, j, load(pulls + s * LANES)), d.v_dot_x(), pulled);
+  }
+  stress = -unit_factor * component(i, K) * sum;
+  viscous = pulled;
 }
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D> double EulerianSweeps<D>::standard_power(int i, const double *u) const
+template <int D> Pack EulerianSweeps<D>::standard_power(const double *i, Pack mass) const
 {
-  if (opt.heating != Heating::COMPATIBLE) return 0.0;
-  double power = 0.0;
-  for (int a = 0; a < D; a++) power -= kin(i)[Kin::MASS] * da(i)[a] * u[a];
+  Pack power = 0.0;
+  if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
+  for (int a = 0; a < D; a++) power -= mass * component(i, at_da + a) * component(i, V + a);
   return power;
 }
 
-// half the work of the pairs that a compatible correction leaves alone
-
-template <int D> double EulerianSweeps<D>::lonely_power(int i) const
-{
-  if (!lonely || opt.heating != Heating::COMPATIBLE) return 0.0;
-  double sum = 0.0;
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const int j = pairs.j[k];
-    const double s = whole_pull(i, k);
-    for (int a = 0; a < D; a++) sum += s * (u(i)[a] - u(j)[a]) * (kin(i)[a] - kin(j)[a]);
-  }
-  return 0.5 * sum;
-}
-
-// compatible: for symmetric weights, heats_with_pairs();
+// compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
 // shepard weights leak momentum, there the loss of kinetic energy of the
 // particle itself becomes heat (exact in total, not Galilean invariant);
 // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
-// safe: half the work of each central pair force, none of it negative for u = v
+// safe: half the work of each central pair force, none of it negative for u = v.
+// This is -4/m_i of the sum
 
-template <int D> double EulerianSweeps<D>::heat_correction(int i) const
+template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
 {
-  const bool printed = opt.heating == Heating::PRINTED;
-  if (safe()) {
-    const int *j = pairs.j.data() + pairs.first[i];
-    const double *pulls = near_pull.data() + pairs.near_first[i];
-    double power = 0.0;
-    for (int k = 0; k < pairs.nearest[i]; k++)
-      for (int a = 0; a < D; a++)
-        power -= pulls[k] * (u(i)[a] - u(j[k])[a]) * (kin(i)[a] - kin(j[k])[a]);
-    return 0.25 * kin(i)[Kin::MASS] * power;
-  }
-  const Pack ui = load_few<D>(u(i));
+  const bool evenly = opt.weights == Weights::CONSERVATIVE, printed = opt.heating == Heating::PRINTED;
+  const double *i = columns.at(block * LANES), *factors = near_factors(block);
+  const int *near = pairs.near.data() + pairs.near_first[block];
+  Neighbors neighbors(*this, block, X, V + D, at_da, at_da + D);
   Pack power = 0.0;
-  each_few(i, [&](Pack w, const int *j, Pack difference) {
-    const Pack uj = load_few<D>(u(0), j, stride);
-    if (printed)
-      power += w * 0.5 * (ui - uj) * load_few<D>(da(0), j, da_stride);
-    else
-      power -= w * 0.5 * ui * difference;
-  });
-  return kin(i)[Kin::MASS] * SPHSolid::sum(power);
+  for (int n = 0; n < pairs.near_count[block]; n++) {
+    const double *j = neighbors(pairs.further[near[n]]);
+    Pack of_pair = 0.0;
+    for (int a = 0; a < D; a++) {
+      Pack moved = component(i, V + a) - component(j, V + a);
+      Pack force = component(i, along() + a) - component(j, along() + a);
+      if (!safe() && printed)
+        force = -2.0 * component(j, at_da + a);
+      else if (!safe() && !evenly)
+        moved = 2.0 * component(i, V + a);
+      of_pair = multiply_add(moved, force, of_pair);
+    }
+    power = multiply_add(load(factors + n * LANES), of_pair, power);
+  }
+  return power;
 }
 
 /* ----------------------------------------------------------------------
@@ -184,15 +136,16 @@ template <int D> double EulerianSweeps<D>::heat_correction(int i) const
 ------------------------------------------------------------------------- */
 
 template <int D>
-void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, double *six)
+void EulerianSweeps<D>::virial(const Particles &p, const NeighborRows &, double *six)
 {
-  Base::add_virial(list.inum, six, [&](int begin, int end) {
+  const NeighborRows list = own_list();
+  Base::add_virial(blocks(), six, [&](int first, int end) {
     typename Base::Six total = {};
-    for (int ii = begin; ii < end; ii++) {
-      double rows[Blocks<D>::TENSOR];    // (a,b): f_a x_b
-      store_tensor<D>(Addresses(rows), row_virial(list.ilist[ii]));
+    for (int block = first; block < end; block++) {
+      const Tensors sum = block_virial(p, block, Batch(list, block * LANES));
       for (int a = 0; a < D; a++)
-        for (int b = a; b < D; b++) total[VOIGT[a][b]] += 0.5 * rows[Blocks<D>::at(b, a)];
+        for (int b = a; b < D; b++)
+          total[VOIGT[a][b]] += 0.5 * Base::sum_of_first(sum(b, a), particles_of(block));
     }
     return total;
   });
@@ -200,43 +153,43 @@ void EulerianSweeps<D>::virial(const Particles &, const NeighborRows &list, doub
 
 // sum of f_ij (x) x_ij
 
-template <int D> Several<D> EulerianSweeps<D>::row_virial(int i) const
+template <int D>
+typename EulerianSweeps<D>::Tensors
+EulerianSweeps<D>::block_virial(const Particles &p, int block, const Batch &batch) const
 {
-  const Motion<D> own(kin(i));
-  Several<D> sum = Several<D>::zero();
-  for (int k = 0; k < pairs.count[i]; k++) {
-    const int pair = pairs.first[i] + k;
-    const Motion<D> d = own - Motion<D>(kin(pairs.j[pair]));
-    Pack force = pair_force(i, pair, d);
-    if (k < pairs.nearest[i]) force += near_force(i, pairs.j[pair], pairs.near_first[i] + k, d);
-    add_outer(sum, force, d.spread_x());
+  const double *i = columns.at(block * LANES), *factors = near_factors(block);
+  const Pack mass = batch.load(p.mass), own_K = component(i, K);
+  const int *near = pairs.near.data() + pairs.near_first[block];
+  TensorSums<D> sum;
+  Neighbors neighbors(*this, block, X, components());
+  int n = 0;    // of the nearest ones
+  for (int s = pairs.first[block]; s < pairs.first[block] + pairs.count[block]; s++) {
+    const std::size_t k = s * std::size_t(LANES);
+    const double *j = neighbors(pairs.further[s]);
+    const Components<D> d = motion(i, j);
+    const Pack KF = own_K * component(j, K) * load(&pairs.factor[k]);
+    Pack f[D], central = 0.0;
+    if (keeps_pairs()) central = mass * whole_pull(i, j, load(&pairs.pull[k]));
+    for (int a = 0; a < D; a++) {
+      Pack t = 0.0;
+      for (int b = 0; b < D; b++) {
+        const int c = D * a + b;
+        Pack of_both = component(i, T + c) + component(j, T + c);
+        if (opt.tensile)
+          of_both += load(&pairs.crowd[k]) *
+              (component(i, at_tension + c) + component(j, at_tension + c));
+        t += of_both * d.x[b];
+      }
+      f[a] = unit_factor * (KF * t - central * d.x[a]);
+    }
+    if (needs_correction() && n < pairs.near_count[block] && near[n] == s) {
+      const Pack w = 0.5 * mass * load(factors + n++ * LANES);
+      for (int a = 0; a < D; a++)
+        f[a] += w * (component(i, along() + a) - component(j, along() + a));
+    }
+    sum.add(f, d.x);
   }
-  return sum;
-}
-
-// forces of a pair on i without the correction, expanded
-
-template <int D>
-inline Pack EulerianSweeps<D>::pair_force(int i, int pair, const Motion<D> &d) const
-{
-  const double *si = str(i), *sj = str(pairs.j[pair]);
-  Several<D> T = load_tensor<D>(si) + load_tensor<D>(sj);
-  if (opt.tensile)
-    T = T + (load_tensor<D>(si + extra(0)) + load_tensor<D>(sj + extra(0))) * Pack(crowd[pair]);
-  const Several<D> g =
-      d.spread_x() * Pack(unit_factor * si[Str::K] * sj[Str::K] * pairs.factor[pair]);
-  return expanded<D>(times(T, g)) - Pack(whole_pull(i, pair)) * d.expanded_x();
-}
-
-// what the correction puts on i for its nearest neighbor j, number `near` of all, expanded
-
-template <int D>
-inline Pack EulerianSweeps<D>::near_force(int i, int j, int near, const Motion<D> &d) const
-{
-  const double half = 0.5 * kin(i)[Kin::MASS];
-  if (safe()) return Pack(half * near_pull[near]) * d.expanded_x();
-  const Pack difference = load_expanded<D>(Addresses(da(i))) - load_expanded<D>(Addresses(da(j)));
-  return Pack(half * near_weight[near]) * difference;
+  return sum.tensor();
 }
 
 }    // namespace

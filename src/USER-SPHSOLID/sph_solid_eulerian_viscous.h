@@ -12,7 +12,8 @@
 ------------------------------------------------------------------------- */
 
 /* ----------------------------------------------------------------------
-   The Eulerian frame: switch of a viscosity, acceleration correction.  Members of EulerianSweeps.
+   The Eulerian frame: switch of a viscosity, acceleration correction.
+   Members of EulerianSweeps.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_EULERIAN_VISCOUS_H
@@ -24,113 +25,86 @@ namespace {
 
 // that of "front": the velocity gradient R of a particle predicts the jump x_ij.R x_ij of a pair
 
-template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &list)
+template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &)
 {
-  const int R_AT = at_rate();
-  each_share(nthreads, list.inum, [&](int first, int end) {
-    for (int ii = first; ii < end; ii++) {
-      const int i = list.ilist[ii];
-      const Motion<D> own(kin(i));
-      const Several<D> rate = load_tensor<D>(str(i) + R_AT);
-      const double h = types[p.type[i]].h, least = MU_EPSILON * h * h;    // particles may meet
-      Pack rest2 = 0.0, linear2 = 0.0;
-      each_vector(pairs.count[i], [&](int k, auto left) {
-        const int *j = &pairs.j[pairs.first[i] + k];
-        Motion<D> d[BLOCK];
-        Pack l_i[BLOCK], l_j[BLOCK];
-        for (int m = 0; m < BLOCK; m++) {
-          d[m] = own - Motion<D>(Addresses(krow.data(), j + m, stride));
-          const Several<D> X = d[m].spread_x();
-          const Addresses sj(srow.data(), j + m, stress_stride);
-          l_i[m] = d[m].expanded_x() * times(rate, X);
-          l_j[m] = d[m].expanded_x() * times(load_tensor<D>(sj + R_AT), X);
-        }
-        const Pack volume = pack_of([&](int m) {
-          return kin(j[m])[Kin::VOLUME];
-        });
-        const Pack weight = -of_row(volume * load(&pairs.factor[pairs.first[i] + k]), left);
-        const Components<D> apart = Motion<D>::components(d);
-        const Pack r2 = apart.x_dot_x(), vr = apart.v_dot_x();
-        const Pack li = sums(l_i[0], l_i[1], l_i[2], l_i[3]);
-        const Pack lj = sums(l_j[0], l_j[1], l_j[2], l_j[3]);
-        const Pack rest = vr - 0.5 * (li + lj), w = weight / (r2 + least);
-        rest2 += w * rest * rest;
-        linear2 += 0.5 * w * (li * li + lj * lj);
-      });
-      str(i)[Str::SWITCH] *= unresolved_share(sum(rest2), sum(linear2));
+  each_block([&](int block, const Batch &batch, Totals &) {
+    const double *i = columns.at(block * LANES);
+    const Pack h = Base::smoothing_lengths(p, batch);
+    const Pack least = MU_EPSILON * h * h;    // particles may meet
+    Pack rest2 = 0.0, linear2 = 0.0;
+    Neighbors neighbors(*this, block, X, at_da);
+    for (int s = pairs.first[block]; s < pairs.first[block] + pairs.count[block]; s++) {
+      const double *j = neighbors(pairs.further[s]);
+      const Components<D> d = motion(i, j);
+      const Pack li = this->stretching(i, at_rate, d.x), lj = this->stretching(j, at_rate, d.x);
+      const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
+      const Pack weight = -load(&pairs.factor[s * std::size_t(LANES)]) * component(j, VOLUME);
+      const Pack w = weight / (d.x_dot_x() + least);
+      rest2 += w * rest * rest;
+      linear2 += 0.5 * w * (li * li + lj * lj);
     }
+    columns.store(block * LANES, LAST, component(i, LAST) * unresolved_share(rest2, linear2));
   });
-}
-
-template <int D> void EulerianSweeps<D>::mirror_switch()
-{
-  for (int k = 0; k < nrows - nparticles; k++)
-    str(nparticles + k)[Str::SWITCH] = str(images.source_of(k))[Str::SWITCH];
 }
 
 /* ----------------------------------------------------------------------
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D> void EulerianSweeps<D>::correction(const Particles &p, const NeighborRows &list)
+template <int D> void EulerianSweeps<D>::correction(const Particles &p, const NeighborRows &)
 {
-  mirror_vectors(da(0), da_stride);
-  each_share(nthreads, list.inum, [&](int first, int end) {
-    for (int ii = first; ii < end; ii++) {
-      const int i = list.ilist[ii];
-      Pack sum = 0.0;
-      if (safe())
-        sum = central_correction(i);
-      else
-        each_few(i, [&](Pack w, const int *, Pack difference) {
-          sum += w * difference;
-        });
-      sum = sum_of_blocks(sum);
-      for (int a = 0; a < D; a++) p.f[i][a] += 0.5 * kin(i)[Kin::MASS] * few_summed<D>(sum, a);
+  this->mirror_vectors(at_da);
+  each_block([&](int block, const Batch &batch, Totals &) {
+    if (safe()) safe_pulls(block);
+    const std::ptrdiff_t at = along() * std::ptrdiff_t(NEXT);
+    const double *i = columns.at(block * LANES), *factors = near_factors(block);
+    const int *near = pairs.near.data() + pairs.near_first[block];
+    Pack own_along[D], f[D];
+    for (int a = 0; a < D; a++) {
+      own_along[a] = component(i + at, a);
+      f[a] = 0.0;
     }
+    Neighbors neighbors(*this, block, along(), along() + D);
+    for (int n = 0; n < pairs.near_count[block]; n++) {
+      const double *j = neighbors(pairs.further[near[n]]) + at;
+      const Pack w = load(factors + n * LANES);
+      for (int a = 0; a < D; a++) f[a] = multiply_add(w, own_along[a] - component(j, a), f[a]);
+    }
+    const Pack half_mass = 0.5 * batch.load(p.mass);
+    for (int a = 0; a < D; a++) f[a] *= half_mass;
+    this->add_forces(p, batch, f);
   });
 }
 
-// the same with weights safe; the sum in the first lanes
+// weights safe
 
-template <int D> Pack EulerianSweeps<D>::central_correction(int i)
+template <int D> void EulerianSweeps<D>::safe_pulls(int block)
 {
-  double sum[LANES] = {};
-  for (int n = 0; n < pairs.nearest[i]; n++) {
-    const int j = pairs.j[pairs.first[i] + n], k = pairs.near_first[i] + n;
-    const double *dai = da(i), *daj = da(j);
-    const Vector<D> x = separation(i, j);
-    double ax = 0.0, vx = 0.0, x2 = 0.0;
-    for (int a = 0; a < D; a++) {
-      ax += (dai[a] - daj[a]) * x[a];
-      vx += (kin(i)[Kin::V + a] - kin(j)[Kin::V + a]) * x[a];
-      x2 += x[a] * x[a];
-    }
-    near_pull[k] = near_weight[k] * safe_pull(ax, vx, x2);
-    for (int a = 0; a < D; a++) sum[a] += near_pull[k] * x[a];
+  const double *i = columns.at(block * LANES);
+  const int *near = pairs.near.data() + pairs.near_first[block];
+  const std::size_t first = pairs.near_first[block] * std::size_t(LANES);
+  Neighbors neighbors(*this, block, X, V + D, at_da, at_da + D);
+  for (int n = 0; n < pairs.near_count[block]; n++) {
+    const double *j = neighbors(pairs.further[near[n]]);
+    const Components<D> d = motion(i, j);
+    Pack a[D];
+    difference(i, j, at_da, a);
+    const std::size_t k = first + n * LANES;
+    store(&pairs.near_pull[k], load(&pairs.near_weight[k]) *
+              safe_pull(dot<D>(a, d.x), d.v_dot_x(), d.x_dot_x()));
   }
-  return load(sum);
 }
 
-// the force coefficient of pairs that no correction replaces
+// of the pairs that the correction must not touch since one of the two has no nearest neighbor,
+// the whole viscous force: what is left of a pair's pull there, 0 elsewhere
 
-template <int D> double EulerianSweeps<D>::whole_pull(int i, int pair) const
+template <int D>
+Pack EulerianSweeps<D>::whole_pull(const double *i, const double *j, Pack pull) const
 {
-  if (!keeps_pairs()) return 0.0;
-  if (needs_correction() && !is_lonely(i) && !is_lonely(pairs.j[pair])) return 0.0;
-  return kin(i)[Kin::MASS] * unit_factor * pull[pair];
-}
-
-// standard viscosity of the pairs that the correction must not touch: one of
-// the two has no nearest neighbor.  Symmetric, so momentum stays exact
-
-template <int D> void EulerianSweeps<D>::lonely_pairs(const Particles &p, int i)
-{
-  for (int k = pairs.first[i]; k < pairs.first[i] + pairs.count[i]; k++) {
-    const double s = whole_pull(i, k);
-    const Vector<D> d = separation(i, pairs.j[k]);
-    for (int a = 0; a < D; a++) p.f[i][a] -= s * d[a];
-  }
+  if (!needs_correction()) return pull;
+  const Pack zero(0.0);
+  const Pack both = where_positive(component(i, LAST), component(j, LAST), zero);
+  return where_positive(both, zero, pull);
 }
 
 }    // namespace

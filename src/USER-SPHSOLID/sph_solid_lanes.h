@@ -237,6 +237,14 @@ template <int D> struct TensorSums {
       add_one<k()>(v, w);
     });
   }
+  Tensor<D, Pack> symmetric_tensor() const    // after add_symmetric()
+  {
+    Tensor<D, Pack> t;
+    each_index<D * D>([&](auto k) {
+      t(k / D, k % D) = k / D > k % D ? sum[k % D][k / D] : sum[k / D][k % D];
+    });
+    return t;
+  }
   Several<D> blocks() const { return blocks(false); }
   Tensor<D, Pack> tensor() const    // with all lanes as they are
   {

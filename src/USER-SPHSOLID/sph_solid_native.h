@@ -121,6 +121,18 @@ inline Native native_where_positive(const Native &condition, const Native &a, co
     return condition[k] > 0.0 ? a[k] : b[k];
   });
 }
+inline unsigned native_positive_lanes(const Native &a)
+{
+  unsigned lanes = 0;
+  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0.0 ? 1u : 0u) << k;
+  return lanes;
+}
+inline Native native_where_lanes(unsigned lanes, const Native &a, const Native &b)
+{
+  return each_lane([&](int k) {
+    return lanes >> k & 1 ? a[k] : b[k];
+  });
+}
 inline Native native_square_root(const Native &a)
 {
   return each_lane([&](int k) {
@@ -181,6 +193,30 @@ inline Native native_where_positive(Native condition, Native a, Native b)
   return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(condition, Native{}, _CMP_GT_OQ), b, a);
 #else
   return condition > Native{} ? a : b;
+#endif
+}
+inline unsigned native_positive_lanes(Native a)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_cmp_pd_mask(a, Native{}, _CMP_GT_OQ);
+#elif defined(__AVX__) && SPHSOLID_LANES == 4
+  return _mm256_movemask_pd(_mm256_cmp_pd(a, Native{}, _CMP_GT_OQ));
+#else
+  unsigned lanes = 0;
+  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0.0 ? 1u : 0u) << k;
+  return lanes;
+#endif
+}
+inline Native native_where_lanes(unsigned lanes, Native a, Native b)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_mask_blend_pd(static_cast<__mmask8>(lanes), b, a);
+#else
+  static constexpr long long BIT[] = {1, 2, 4, 8, 16, 32, 64, 128};
+  typedef long long Bits __attribute__((vector_size(LANES * sizeof(long long))));
+  Bits bit;
+  std::memcpy(&bit, BIT, sizeof(bit));
+  return (bit & static_cast<long long>(lanes)) != 0 ? a : b;
 #endif
 }
 inline Native native_square_root(Native a)

@@ -17,6 +17,7 @@
 ------------------------------------------------------------------------- */
 
 #include "sph_solid_eulerian.h"
+#include "sph_solid_eulerian_candidates.h"
 #include "sph_solid_eulerian_heat.h"
 #include "sph_solid_eulerian_rows.h"
 #include "sph_solid_eulerian_viscous.h"
@@ -39,251 +40,179 @@ template <int D> constexpr double LEAST_MOMENT = 0.8 / (1 << D);
    gradient sweep
 ------------------------------------------------------------------------- */
 
-// neighbors inside the kernel: the nearest ones, in their row, and the others; distances of all
-// pairs of a batch, and where smoothing lengths differ these, too; where the next row begins
+// of a thread: where the next block's slots with pairs begin; distances of the pairs of a block and,
+// where they differ, smoothing lengths
 
-template <int D> struct EulerianSweeps<D>::Scratch {
-  struct Found {
-    int *j;
-    double *r2, *h;    // h: of pairs; not where there is one for all
-    int n;
-    void add(int neighbor, double r2_of, double h_of, bool uniform)
-    {
-      j[n] = neighbor;
-      r2[n] = r2_of;
-      if (!uniform) h[n] = h_of;
-      n++;
-    }
-    // some of as many as there are lanes; room for as many more behind the last one
-    void add(const int *neighbors, Pack r2_of, Pack wanted)
-    {
-      n += collect_positive(wanted, neighbors, r2_of, j + n, r2 + n);
-    }
-    void add(const Found &others, bool uniform)
-    {
-      for (int k = 0; k < others.n; k++) j[n + k] = others.j[k];
-      for (int k = 0; k < others.n; k++) r2[n + k] = others.r2[k];
-      for (int k = 0; !uniform && k < others.n; k++) h[n + k] = others.h[k];
-      n += others.n;
-    }
-  };
-  Found near, far;
-  int first, near_first, first_of_batch;
-  Rows distance, length;    // of a batch: r^2, then r; h
-
-  // room: of the largest batch
-  Scratch(int begin, int room, bool uniform) :
-      first(begin), near_first(begin), first_of_batch(begin), distance(room),
-      length(uniform ? 0 : room), far_j(room), far_r2(room), far_h(uniform ? 0 : room)
+template <int D> struct EulerianSweeps<D>::Finding {
+  int slot, near;
+  Rows distance, length;
+  Finding(const Candidates &of, int first, int end, bool uniform) :
+      slot(of.first[first]), near(of.first[first])
   {
+    int most = 0;
+    for (int block = first; block < end; block++)
+      most = std::max(most, of.first[block + 1] - of.first[block]);
+    distance.resize(most * std::size_t(LANES));
+    if (!uniform) length.resize(distance.size());
   }
-  void begin(int *j)
-  {
-    const int at = first - first_of_batch;
-    near = {j + first, distance.data() + at, length.data() + at, 0};
-    far = {far_j.data(), far_r2.data(), far_h.data(), 0};
-  }
-
- private:
-  std::vector<int> far_j;
-  std::vector<double> far_r2, far_h;
 };
 
-// of a pair with so large a sum of smoothing lengths
-
-inline double reach_of(double sum_of_h)
-{
-  return 0.5 * SUPPORT * sum_of_h;
-}
-
-// append those of a candidate list that are inside the kernel
-
-template <int D>
-template <bool UNIFORM, bool IMAGES>
-void EulerianSweeps<D>::gather(int i, int n, const int *list, Scratch &s) const
-{
-  const double *kall = krow.data(), *ri = kin(i);
-  // copies, which the compiler need not read again after each store
-  typename Scratch::Found near = s.near, far = s.far;
-  const double own_h = h_of<UNIFORM>(ri), own_near = near_of<UNIFORM>(ri);
-  double x[D];
-  std::copy(ri + Kin::X, ri + Kin::X + D, x);
-  int jj = 0;
-  if constexpr (COLLECTS_LANES && D == 3 && UNIFORM && !IMAGES) {    // rows are long
-    const Pack own = load_block(ri), reach2(reach_of(2.0 * own_h) * reach_of(2.0 * own_h)),
-               support2(own_near * own_near);
-    for (; jj + LANES <= n; jj += LANES) {
-      int j[LANES];
-      for (int m = 0; m < LANES; m++) j[m] = list[jj + m] & INDEX_MASK;
-      Pack d[BLOCK];
-      for (int m = 0; m < BLOCK; m++)
-        d[m] = own - load(Addresses(kall, j + m, stride_of<UNIFORM>()));
-      transpose(d[0], d[1], d[2], d[3]);
-      Pack r2 = d[0] * d[0];
-      for (int a = 1; a < D; a++) r2 = multiply_add(d[a], d[a], r2);
-      near.add(j, r2, support2 - r2);
-      far.add(j, r2, where_positive(support2 - r2, Pack(-1.0), reach2 - r2));
-    }
-  }
-  for (; jj < n; jj++) {
-    const int j = list[jj] & INDEX_MASK;
-    const double *rj = kall + static_cast<std::ptrdiff_t>(j) * stride_of<UNIFORM>();
-    double r2 = (x[0] - rj[0]) * (x[0] - rj[0]);
-    for (int a = 1; a < D; a++) r2 = multiply_add(x[a] - rj[a], x[a] - rj[a], r2);
-    const double two_h = own_h + (UNIFORM ? own_h : rj[Kin::H]), reach = reach_of(two_h);
-    const double support = 0.5 * (own_near + (UNIFORM ? own_near : rj[Kin::NEAR]));
-    if (IMAGES && r2 < COINCIDE * COINCIDE * two_h * two_h) continue;    // itself
-    if (r2 < support * support)
-      near.add(j, r2, 0.5 * two_h, UNIFORM);
-    else if (r2 < reach * reach)
-      far.add(j, r2, 0.5 * two_h, UNIFORM);
-  }
-  s.near = near;
-  s.far = far;
-}
-
-// the pairs of one particle, nearest ones first
+// slots of candidates that have a pair: r^2 of each, and in lanes without a pair what is beyond any
 
 template <int D>
 template <bool UNIFORM>
-void EulerianSweeps<D>::find_pairs(int i, const NeighborRows &list, Scratch &s)
+void EulerianSweeps<D>::find_pairs(int block, Finding &found)
 {
-  const int of_images = images_of(i);
-  s.begin(pairs.j.data());
-  gather<UNIFORM, false>(i, list.numneigh[i], list.firstneigh[i], s);
-  if (of_images > 0) gather<UNIFORM, true>(i, of_images, &image_j[image_first[i]], s);
-
-  const int nearest = s.near.n;
-  s.near.add(s.far, UNIFORM);
-  pairs.first[i] = s.first;
-  pairs.near_first[i] = needs_correction() ? s.near_first : 0;
-  pairs.count[i] = s.near.n;
-  pairs.nearest[i] = needs_correction() ? nearest : 0;
-  s.first += s.near.n;
-  s.near_first += whole_vectors(pairs.nearest[i]);
+  // what has no pair gets a distance by so much beyond the range of the kernel, where its factor is 0
+  constexpr double BEYOND = 1.001;
+  const double *i = columns.at(block * LANES);
+  Neighbors neighbors(*this, block, X, X + D, at_h, components());
+  const Pack own_near = near_of<UNIFORM>(i);
+  auto range_of = [&](Pack h, Pack near_of_other) {
+    const Pack range = maximum(SUPPORT * h, 0.5 * (own_near + near_of_other));
+    return range * range;
+  };
+  const std::ptrdiff_t *further = candidates.further.data();
+  const unsigned char *lanes = candidates.lanes.data();
+  const char *mirrored = candidates.mirrored.data();
+  std::ptrdiff_t *to_further = pairs.further.data();
+  unsigned char *to_lanes = pairs.lanes.data();
+  double *distance = found.distance.data(), *length = found.length.data();
+  const Pack common_range2 = range_of(Pack(common_h), Pack(common_near));
+  Pack x[D];
+  for (int a = 0; a < D; a++) x[a] = component(i, X + a);
+  int n = found.slot;
+  for (int c = candidates.first[block]; c < candidates.first[block + 1]; c++) {
+    const double *j = neighbors(further[c]);
+    Pack r2 = (x[0] - component(j, X)) * (x[0] - component(j, X));
+    for (int a = 1; a < D; a++) {
+      const Pack d = x[a] - component(j, X + a);
+      r2 = multiply_add(d, d, r2);
+    }
+    const Pack h = mean_h<UNIFORM>(i, j);
+    const Pack range2 = UNIFORM ? common_range2 : range_of(h, near_of<UNIFORM>(j));
+    unsigned inside = positive_lanes(range2 - r2) & lanes[c];
+    if (mirrored[c]) inside &= positive_lanes(r2 - 4.0 * COINCIDE * COINCIDE * h * h);    // not itself
+    if (!inside) continue;
+    store(distance, where_lanes(inside, r2, BEYOND * range2));
+    distance += LANES;
+    if (!UNIFORM) {
+      store(length, h);
+      length += LANES;
+    }
+    to_further[n] = further[c];
+    to_lanes[n] = static_cast<unsigned char>(inside);
+    n++;
+  }
+  pairs.first[block] = found.slot;
+  pairs.count[block] = n - found.slot;
+  found.slot = n;
 }
 
-// kernel gradients of the pairs of a batch, and r in place of r^2: grad_i W = F (x_i - x_j), stored is
+// kernel gradients of the pairs of a block, and r in place of r^2: grad_i W = F (x_i - x_j), stored is
 // F h0^(D+2).  A short loop of its own, so that the processor has many roots and divisions on the way
 
-template <int D> template <bool UNIFORM> void EulerianSweeps<D>::find_factors(Scratch &s)
+template <int D>
+template <bool UNIFORM>
+void EulerianSweeps<D>::find_factors(int block, Finding &found)
 {
   const double per_unit = 1.0 / unit_factor;
   const Pack same_h(common_h);
-  float *factors = pairs.factor.data() + s.first_of_batch;
-  double *distance = s.distance.data();
-  const double *length = s.length.data();
-  for (int k = 0; k < s.first - s.first_of_batch; k += LANES) {
+  float *factors = &pairs.factor[pairs.first[block] * std::size_t(LANES)];
+  double *distance = found.distance.data();
+  const double *length = found.length.data();
+  for (int k = 0; k < pairs.count[block] * LANES; k += LANES) {
     const Pack r = square_root(load(distance + k)), h = UNIFORM ? same_h : load(length + k);
     store_rounded(factors + k, per_unit * CubicSpline<D>::gradient_factor(r, h));
     store(distance + k, r);
   }
 }
 
-// sums over the pairs of one particle
+// sums over the pairs of a block
 
 template <int D>
 template <bool UNIFORM>
-void EulerianSweeps<D>::accumulate(int i, const Scratch &s, Sums &sums, int lane)
+typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Finding &found)
 {
-  const double *kall = krow.data(), *ki = kin(i);
-  const Motion<D> own(ki);
-  const int start = pairs.first[i], count = pairs.count[i], nearest = pairs.nearest[i];
-  const int *neighbors = pairs.j.data() + start;
-  const float *factors = pairs.factor.data() + start;
-  const double *distance = s.distance.data() + (start - s.first_of_batch);
-  double *weights = near_weight.data() + pairs.near_first[i];
+  const double *i = columns.at(block * LANES), *distance = found.distance.data();
+  const int first = pairs.first[block], count = pairs.count[block];
+  const std::ptrdiff_t *further = pairs.further.data() + first;
+  const float *factors = &pairs.factor[first * std::size_t(LANES)];
+  const bool correct = needs_correction();
+  int near = found.near;
+  int *nearest = pairs.near.data();
+  double *weights = pairs.near_weight.data();
+  const Pack own_near = near_of<UNIFORM>(i);
   TensorSums<D> moment, velocity;
-  const Pack own_near(near_of<UNIFORM>(ki));
   Pack nsum = 0.0;
-
-  for (int k = 0; k < count; k += LANES) {
-    const int *j = neighbors + k;
-    Motion<D> d[BLOCK];
-    Pack inertia[BLOCK];
-    for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, stride_of<UNIFORM>());
-      d[m] = own - Motion<D>(kj);
-      if (D == 2 || !UNIFORM) inertia[m] = load(kj + Kin::LENGTHS);
-    }
-    if (D == 2 || !UNIFORM) transpose(inertia[0], inertia[1], inertia[2], inertia[3]);
-    const Components<D> apart = Motion<D>::components(d);
-    const Pack near = UNIFORM ? own_near : inertia[Kin::H_LANE + 1];
-    const Pack mass = D == 2 ? inertia[0] : -apart.free[1];
-    const Pack F = load(factors + k) * first_lanes(count - k);
-    const Pack w = (D == 2 ? -inertia[1] : apart.free[0]) * F;
+  Neighbors neighbors(*this, block, X, T, at_h, components());
+  for (int s = 0; s < count; s++) {
+    const double *j = neighbors(further[s]);
+    const Components<D> d = motion(i, j);
+    const Pack w = -load(factors + s * LANES) * component(j, VOLUME);
     Pack g[D];
-    for (int a = 0; a < D; a++) g[a] = w * apart.x[a];
-    moment.add_symmetric(apart.x, g);
-    velocity.add(apart.v, g);
-    if (k < nearest) {
-      const Pack m_wbar =
-          Base::wbar_mass(load(distance + k), mass, own_near, near) * first_lanes(nearest - k);
-      store(weights + k, m_wbar);
-      nsum += m_wbar;
-    }
+    for (int a = 0; a < D; a++) g[a] = w * d.x[a];
+    moment.add_symmetric(d.x, g);
+    velocity.add(d.v, g);
+    if (!correct) continue;
+    const Pack r = load(distance + s * LANES), near_j = near_of<UNIFORM>(j);
+    if (!positive_lanes(0.5 * (own_near + near_j) - r)) continue;
+    const Pack m_wbar = Base::wbar_mass(r, component(j, MASS), own_near, near_j);
+    store(weights + near * std::size_t(LANES), m_wbar);
+    nearest[near++] = first + s;
+    nsum += m_wbar;
   }
-  sums.moment[lane] = moment.symmetric_blocks();
-  sums.velocity[lane] = velocity.blocks();
-  sums.nsum[lane] = sum(nsum);
-}
-
-// of a batch
-
-template <int D>
-template <bool UNIFORM>
-void EulerianSweeps<D>::find_sums(const Batch &batch, const NeighborRows &list, Scratch &s,
-                                  Sums &sums)
-{
-  s.first_of_batch = s.first;
-  for (int m = 0; m < batch.n; m++) find_pairs<UNIFORM>(batch.i[m], list, s);
-  find_factors<UNIFORM>(s);
-  // what the last vector of the last row reads behind it
-  std::fill_n(&pairs.j[s.first], LANES, batch.i[0]);
-  std::fill_n(&pairs.factor[s.first], LANES, 0.0f);
-  for (int m = 0; m < LANES; m++) accumulate<UNIFORM>(batch.i[m], s, sums, m);
+  if (correct) {
+    pairs.near_first[block] = found.near;
+    pairs.near_count[block] = near - found.near;
+    found.near = near;
+  }
+  return {moment.symmetric_tensor(), velocity.tensor(), nsum};
 }
 
 template <int D>
-int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &list, double dt)
+int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &, double dt)
 {
   std::atomic<int> bad(-1);
+  const NeighborRows list = own_list();
   auto of_share = [&](int first, int end) {
-    double plastic = 0.0;
-    Scratch s(first < end ? pairs.begin[first] : 0, pairs.most, uniform);
-    for (int at = first * LANES; at < end * LANES; at += LANES) {
-      const Batch batch(list, at);
-      prefetch_points(p, batch);
-      Sums sums;
-      if (uniform)
-        find_sums<true>(batch, list, s, sums);
-      else
-        find_sums<false>(batch, list, s, sums);
-      const int unphysical = update(p, batch, sums, dt, plastic);
+    Totals totals;
+    Finding found(candidates, first, end, uniform);
+    auto sums_of_block = [&](int block, auto same) {
+      constexpr bool UNIFORM = decltype(same)::value;
+      find_pairs<UNIFORM>(block, found);
+      find_factors<UNIFORM>(block, found);
+      return accumulate<UNIFORM>(block, found);
+    };
+    for (int block = first; block < end; block++) {
+      const Batch batch(list, block * LANES);
+      Sums sums = uniform ? sums_of_block(block, std::true_type())
+                          : sums_of_block(block, std::false_type());
+      const int unphysical = update(p, block, batch, sums, dt, totals);
       if (unphysical >= 0) bad = unphysical;
     }
-    return plastic;
+    return totals;
   };
-  const int batches = whole_vectors(list.inum) / LANES;
-  this->ledger.plastic_work +=
-      join_shares(nthreads, batches, 0.0, of_share, [](double &sum, double share) {
-        sum += share;
-      });
+  const Totals totals = join_shares(nthreads, blocks(), Totals(), of_share, Totals::add);
+  this->ledger.plastic_work += totals.plastic;
   return bad;
 }
 
-// constitutive update of a batch and what their neighbors
+// constitutive update of a block and what their neighbors
 // read; the index of one whose state is not physical, or -1
 
 template <int D>
-int EulerianSweeps<D>::update(const Particles &p, const Batch &batch, Sums &sums, double dt,
-                              double &plastic)
+int EulerianSweeps<D>::update(const Particles &p, int block, const Batch &batch, Sums &sums,
+                              double dt, Totals &totals)
 {
-  using Tensors = Tensor<D, Pack>;
   const PairForm form = pair_form(opt.viscosity);
-  add_blocks<D>(sums.moment);
-  add_blocks<D>(sums.velocity);
-  const Tensors moment = lanes_of<D>(sums.moment), velocity = lanes_of<D>(sums.velocity);
+  const int column = block * LANES;
+  if (batch.n < LANES) {
+    this->repeat_last(sums.moment, batch.n);
+    this->repeat_last(sums.velocity, batch.n);
+    this->repeat_last(sums.nsum, batch.n);
+  }
+  const Tensors &moment = sums.moment;
   Tensors B = Tensors::Identity(), exact = B;    // exact: for linear fields
   if (opt.corrected || needs_rates(form) || needs_switch(form)) {
     const Pack enough = minimum(beyond_share<D>(moment, LEAST_ROUNDNESS),
@@ -294,36 +223,36 @@ int EulerianSweeps<D>::update(const Particles &p, const Batch &batch, Sums &sums
   }
   if (opt.corrected) B = exact;
   // what tells a linear field from a jump needs the exact one, with gradient plain too
-  const Tensors rate = velocity * exact;
+  const Tensors rate = sums.velocity * exact;
   Tensors L = Tensors::Zero();
-  if (dt > 0.0) L = midpoint_velocity_gradient<D, Pack>(opt.corrected ? rate : velocity, dt);
+  if (dt > 0.0) L = midpoint_velocity_gradient<D, Pack>(opt.corrected ? rate : sums.velocity, dt);
   const auto points = Base::update_points(p, batch, L, dt);
-  plastic += Base::sum_of_first(points.plastic_work, batch.n);
+  totals.plastic += Base::sum_of_first(points.plastic_work, batch.n);
 
   const Pack rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
-  const Pack mass = batch.load(p.mass);
+  const Pack c = square_root(maximum(points.eos.c2, Pack(0.0))), mass = batch.load(p.mass);
   auto weighted = [&](const Tensors &sigma) {
     return opt.corrected ? Tensors(sigma * B.transpose()) : Tensors(sigma * inv_rho2);
   };
-  Pack last = load(sums.nsum);
-  if (needs_switch(form))
-    last = Base::own_switch(rate, square_root(maximum(points.eos.c2, Pack(0.0))),
-                            Base::smoothing_lengths(p, batch));
-  write_rows(batch, points, weighted(points.sigma), opt.corrected ? mass / rho : mass, last);
-  if (needs_rates(form)) write_tensors(batch, at_rate(), rate);
-  if (opt.tensile) write_tensors(batch, extra(0), weighted(tension_stress(points.sigma)));
+  Pack last = sums.nsum;
+  if (needs_switch(form)) last = Base::own_switch(rate, c, Base::smoothing_lengths(p, batch));
+  this->store_tensor(column, T, weighted(points.sigma));
+  const Pack state[] = {opt.corrected ? mass / rho : mass, rho, c, last};
+  columns.store(column, K, state, 4);
+  if (needs_rates(form)) this->store_rate(column, at_rate, rate);
+  if (opt.tensile) this->store_tensor(column, at_tension, weighted(tension_stress(points.sigma)));
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + moment.sum());
 }
 
-// artificial stress of a batch, one particle after the other: eigenvalues
+// artificial stress of a block, one particle after the other: eigenvalues
 
 template <int D>
-Tensor<D, Pack> EulerianSweeps<D>::tension_stress(const Tensor<D, Pack> &sigma) const
+typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::tension_stress(const Tensors &sigma) const
 {
   Tensor<D> R[LANES];
   for (int m = 0; m < LANES; m++)
     R[m] = artificial_stress<D>(of_lane<D>(sigma, m), opt.tensile_eps);
-  Tensor<D, Pack> out;
+  Tensors out;
   for (int a = 0; a < D; a++)
     for (int b = 0; b < D; b++)
       out(a, b) = pack_of([&](int m) {
@@ -336,131 +265,115 @@ Tensor<D, Pack> EulerianSweeps<D>::tension_stress(const Tensor<D, Pack> &sigma) 
    force sweep
 ------------------------------------------------------------------------- */
 
-template <int D> void EulerianSweeps<D>::force(const Particles &p, const NeighborRows &list)
+template <int D> void EulerianSweeps<D>::force(const Particles &p, const NeighborRows &)
 {
   with_form(pair_form(opt.viscosity), [&](auto form) {
-    force_rows<form()>(p, list);
+    force_blocks<form()>(p);
   });
 }
 
-template <int D>
-template <PairForm FORM>
-void EulerianSweeps<D>::force_rows(const Particles &p, const NeighborRows &list)
+template <int D> template <PairForm FORM> void EulerianSweeps<D>::force_blocks(const Particles &p)
 {
-  each_share(nthreads, list.inum, [&](int first, int end) {
-    with_flags(
-        [&](auto tensile, auto same) {
-          for (int ii = first; ii < end; ii++) {
-            const int i = list.ilist[ii];
-            force_row<FORM, decltype(tensile)::value, decltype(same)::value>(p, i);
-            if (FORM != PairForm::NONE && lonely) lonely_pairs(p, i);
-          }
-        },
-        opt.tensile, uniform);
-  });
+  with_flags(
+      [&](auto tensile, auto same) {
+        each_block([&](int block, const Batch &batch, Totals &) {
+          force_block<FORM, decltype(tensile)::value, decltype(same)::value>(p, block, batch);
+        });
+      },
+      opt.tensile, uniform);
 }
 
 // f_i = K_i sum_j K_j (T_i + T_j) g_ij - m_i sum_j m_j Pi_ij g_ij, g = F x_ij
 
 template <int D>
 template <PairForm FORM, bool TENSILE, bool UNIFORM>
-void EulerianSweeps<D>::force_row(const Particles &p, int i)
+void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &batch)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, RATES = needs_rates(FORM);
-  constexpr int R_AT = extra(0), L_AT = extra(TENSILE ? 1 : 0),    // R, velocity gradient
-      STRIDE = extra((TENSILE ? 1 : 0) + (RATES ? 1 : 0));         // of a stress row
-  const double *kall = krow.data(), *sall = srow.data();
-  const int first = pairs.first[i], nearest = pairs.nearest[i];
-  const int *neighbors = pairs.j.data() + first;
-  const float *factors = pairs.factor.data() + first;
-  const double *ki = kin(i), *si = sall + std::ptrdiff_t(i) * STRIDE;
-  double *pulls = pull.data() + first, *crowds = crowd.data() + first,
-         *weights = near_weight.data() + pairs.near_first[i];
+  const double *i = columns.at(block * LANES);
+  const int first = pairs.first[block], count = pairs.count[block];
+  const std::size_t first_pair = first * std::size_t(LANES);
+  const std::ptrdiff_t *further = pairs.further.data() + first;
+  const float *factors = pairs.factor.data() + first_pair;
+  double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
+  const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
+  double *weights = pairs.near_weight.data() + pairs.near_first[block] * std::size_t(LANES);
+  const int *near = pairs.near.data() + pairs.near_first[block],
+            *near_end = near + pairs.near_count[block];
   const double a1 = opt.a1, a2 = opt.a2;
-  const Motion<D> own(ki);
-  const Several<D> T = load_tensor<D>(si), R = load_tensor<D>(TENSILE ? si + R_AT : si),
-                   rate = load_tensor<D>(RATES ? si + L_AT : si);
-  const bool keep = keeps_pairs(), correct = needs_correction();
-  // in a correction, pairs that touch a particle without nearest neighbors
-  // are left to lonely_pairs()
-  const Pack zero(0.0), ok_i(!correct || si[Str::NSUM] > 0.0 ? 1.0 : 0.0);
-  Pack stress = zero, viscous[D], mu_least = zero;    // sums over pairs
-  for (int a = 0; a < D; a++) viscous[a] = zero;
-
-  each_vector(pairs.count[i], [&](int k, auto left) {
-    const int *j = neighbors + k;
-    Motion<D> d[BLOCK];
-    Pack state[BLOCK], inertia[BLOCK], tensile[BLOCK], l_i[BLOCK], l_j[BLOCK];
-    prefetch(factors + k + PAIRS_AHEAD, LANES);
-    const Pack F = of_row(load(factors + k), left);
-    const Spread factor(F);
-    for (int m = 0; m < BLOCK; m++) {
-      const Addresses kj(kall, j + m, stride_of<UNIFORM>()), sj(sall, j + m, STRIDE);
-      d[m] = own - Motion<D>(kj);
-      state[m] = load(sj + Str::K);
-      const Several<D> X = d[m].spread_x();
-      const Pack KF = shuffle<0, 0, 0, 0>(state[m]) * factor[m];
-      stress = multiply_add(KF, times(T + load_tensor<D>(sj), X), stress);
-      if (TENSILE) tensile[m] = KF * times(R + load_tensor<D>(sj + R_AT), X);
-      if (!UNIFORM && (VISCOUS || TENSILE)) inertia[m] = load(kj + Kin::LENGTHS);
-      if (RATES) {
-        const Pack x = d[m].expanded_x();
-        l_i[m] = x * times(rate, X);
-        l_j[m] = x * times(load_tensor<D>(sj + L_AT), X);
-      }
-    }
-    if (!VISCOUS && !TENSILE) return;
-
-    const Components<D> apart = Motion<D>::components(d);
-    const Pack r2 = apart.x_dot_x();
-    Pack vr = apart.v_dot_x();
-    if (!UNIFORM) transpose(inertia[0], inertia[1], inertia[2], inertia[3]);    // .., .., h, near
-    const Pack h = UNIFORM ? Pack(common_h) : 0.5 * (ki[Kin::H] + inertia[Kin::H_LANE]);
-    if (TENSILE) {
-      const Pack own_near(near_of<UNIFORM>(ki));
-      const Pack near = UNIFORM ? own_near : inertia[Kin::H_LANE + 1];
-      const Pack spacing = (0.5 / opt.hbar) * (own_near + near);
-      const Pack fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
-      store_first(crowds + k, fn, left);
-      const Spread each(fn);
-      for (int m = 0; m < BLOCK; m++) stress = multiply_add(each[m], tensile[m], stress);
-    }
-    if (VISCOUS) {
-      transpose(state[0], state[1], state[2], state[3]);    // K, rho, c, nsum or switch
-      const Pack rho = 0.5 * (si[Str::RHO] + state[1]), c = 0.5 * (si[Str::C] + state[2]);
-      const Pack on = needs_switch(FORM) ? 0.5 * (si[Str::SWITCH] + state[3]) : Pack(1.0);
-      if (RATES)
-        vr = jump_left<FORM>(vr, sums(l_i[0], l_i[1], l_i[2], l_i[3]),
-                             sums(l_j[0], l_j[1], l_j[2], l_j[3]), on);
-      const Pack mu = approach_rate(vr, r2, h);
-      const Pack mass = opt.corrected ? state[0] * state[1] : state[0];    // K is V or m
-      Pack q = mass * monaghan_pi(a1, a2, c, rho, mu) * F;
-      if (FORM == PairForm::SWITCHED) q *= on;
-      if (keep) store_first(pulls + k, q, left);    // m_j Pi_ij F_ij h0^(D+2)
-      if (correct) {
-        q = where_positive(state[3], ok_i * q, zero);
-        if (k < nearest) {    // of the correction: m_j Wbar_ij becomes a weight
-          double *weight = weights + k;
-          const Pack n_i(si[Str::NSUM]), m_wbar = load(weight);
-          store(weight, correction_weight(opt.weights, m_wbar, n_i, state[3]));
-        }
-      }
-      apart.add_to(viscous, -q);
-      mu_least = minimum(mu_least, of_row(mu, left));
-    }
+  const Pack zero(0.0), one(1.0);
+  Pack stress[D], viscous[D], whole[D], mu_least = zero;    // sums over pairs
+  each_index<D>([&](auto a) {
+    stress[a] = viscous[a] = whole[a] = zero;
   });
+  Neighbors neighbors(*this, block, 0, at_da, at_h, components());
 
-  const double K = unit_factor * si[Str::K], mass = ki[Kin::MASS];
-  stress = sum_of_blocks(stress);
-  const Pack viscous_sum = unit_factor * sums_of<D>(viscous);
-  for (int a = 0; a < D; a++) {
-    p.f[i][a] += K * folded<D>(stress, a);
-    if (VISCOUS && correct)
-      da(i)[a] = viscous_sum[a];
-    else if (VISCOUS)
-      p.f[i][a] += mass * viscous_sum[a];
+  for (int s = 0; s < count; s++) {
+    const int k = s * LANES;
+    const double *j = neighbors(further[s]);
+    const Components<D> d = motion(i, j);
+    const Pack F = load(factors + k), K_j = component(j, K);
+    const Pack h = mean_h<UNIFORM>(i, j);
+    Pack r2 = zero, fn = zero;
+    if (VISCOUS || TENSILE) r2 = d.x_dot_x();
+    if (TENSILE) {
+      const Pack spacing = (0.5 / opt.hbar) * (near_of<UNIFORM>(i) + near_of<UNIFORM>(j));
+      fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
+      store(crowds + k, fn);
+    }
+    const Pack KF = K_j * F;
+    each_index<D>([&](auto a) {
+      Pack t = zero;
+      each_index<D>([&](auto b) {
+        constexpr int c = D * a + b;
+        Pack of_both = component(i, T + c) + component(j, T + c);
+        if (TENSILE)
+          of_both = multiply_add(
+              fn, component(i, at_tension + c) + component(j, at_tension + c), of_both);
+        t = b == 0 ? of_both * d.x[b] : multiply_add(of_both, d.x[b], t);
+      });
+      stress[a] = multiply_add(KF, t, stress[a]);
+    });
+    if (!VISCOUS) continue;
+
+    const Pack rho = 0.5 * (component(i, RHO) + component(j, RHO)),
+               c = 0.5 * (component(i, SOUND) + component(j, SOUND));
+    const Pack on = needs_switch(FORM) ? 0.5 * (component(i, LAST) + component(j, LAST)) : one;
+    Pack vr = d.v_dot_x();
+    if (RATES)
+      vr = jump_left<FORM>(vr, this->stretching(i, at_rate, d.x),
+                           this->stretching(j, at_rate, d.x), on);
+    const Pack mu = where_positive(-F, approach_rate(vr, r2, h), zero);
+    const Pack mass = opt.corrected ? K_j * component(j, RHO) : K_j;    // K is V or m
+    Pack q = mass * monaghan_pi(a1, a2, c, rho, mu) * F;
+    if (FORM == PairForm::SWITCHED) q *= on;
+    if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
+    if (alone) {
+      const Pack left = whole_pull(i, j, q);
+      d.add_to(whole, -left);
+      q -= left;
+    }
+    d.add_to(viscous, -q);
+    mu_least = minimum(mu_least, mu);
+    if (near != near_end && *near == first + s) {    // m_j Wbar_ij becomes a weight
+      const Pack m_wbar = load(weights);
+      const Pack w = correction_weight(opt.weights, m_wbar, component(i, LAST), component(j, LAST));
+      store(weights, where_positive(m_wbar, w, zero));
+      weights += LANES;
+      near++;
+    }
   }
-  if (this->limits_step) mu_max[i] = -least(mu_least);
+
+  const Pack of_stress = unit_factor * component(i, K), of_mass = unit_factor * batch.load(p.mass);
+  Pack f[D], acceleration[D];
+  each_index<D>([&](auto a) {
+    f[a] = of_stress * stress[a];
+    if (VISCOUS) f[a] = multiply_add(of_mass, correct ? whole[a] : viscous[a], f[a]);
+    acceleration[a] = unit_factor * viscous[a];
+  });
+  this->add_forces(p, batch, f);
+  if (VISCOUS && correct) columns.store(block * LANES, at_da, acceleration, D);
+  if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
 }
 
 }    // namespace

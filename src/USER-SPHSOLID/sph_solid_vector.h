@@ -166,18 +166,6 @@ inline Pack first_lanes(int n)
   return load(STEP + LANES - (n < 0 ? 0 : n < LANES ? n : LANES));
 }
 
-// the first n lanes, if there are as many; what lies behind them stays as it is
-
-inline void store_first(double *to, Pack v, int n)
-{
-  if (n >= LANES) return store(to, v);
-#if defined(SPHSOLID_AVX512)
-  _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1 << n) - 1), v.native());
-#else
-  for (int m = 0; m < n; m++) to[m] = v[m];
-#endif
-}
-
 // condition > 0 ? a : b; numbers and vectors of them
 
 inline Pack where_positive(Pack condition, Pack a, Pack b)
@@ -190,34 +178,16 @@ inline double where_positive(double condition, double a, double b)
   return condition > 0.0 ? a : b;
 }
 
-// the lanes of j and v where condition > 0, side by side; returns how many.  A whole vector is
-// written, of which the rest is of no use.  COLLECTS_LANES: without a branch per lane
+// which lanes are positive, as bits; a in lanes whose bit is set, b in the others
 
-#if defined(SPHSOLID_AVX512) && defined(__AVX512VL__)
-constexpr bool COLLECTS_LANES = true;
-inline int collect_positive(Pack condition, const int *j, Pack v, int *to_j, double *to_v)
+inline unsigned positive_lanes(Pack a)
 {
-  const __mmask8 wanted = _mm512_cmp_pd_mask(condition.native(), Native{}, _CMP_GT_OQ);
-  __m256i lanes;
-  std::memcpy(&lanes, j, sizeof(lanes));
-  lanes = _mm256_maskz_compress_epi32(wanted, lanes);
-  std::memcpy(to_j, &lanes, sizeof(lanes));
-  store(to_v, Pack(_mm512_maskz_compress_pd(wanted, v.native())));
-  return __builtin_popcount(wanted);
+  return native_positive_lanes(a.native());
 }
-#else
-constexpr bool COLLECTS_LANES = false;
-inline int collect_positive(Pack condition, const int *j, Pack v, int *to_j, double *to_v)
+inline Pack where_lanes(unsigned lanes, Pack a, Pack b)
 {
-  int n = 0;
-  for (int k = 0; k < LANES; k++) {
-    if (!(condition[k] > 0.0)) continue;
-    to_j[n] = j[k];
-    to_v[n++] = v[k];
-  }
-  return n;
+  return Pack(native_where_lanes(lanes, a.native(), b.native()));
 }
-#endif
 
 // of two, one of which is not a number, the second one
 

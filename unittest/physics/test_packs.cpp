@@ -24,38 +24,12 @@ Pack positive_in(unsigned set)
   });
 }
 
-TEST(Packs, CollectedLanesKeepTheirOrder)
+TEST(Packs, LanesAsBitsAreThoseThatArePositive)
 {
-  int j[LANES], to_j[LANES];
-  double v[LANES], to_v[LANES];
-  for (int m = 0; m < LANES; m++) {
-    j[m] = 1000000007 + 13 * m;
-    v[m] = 0.1 + m;
-  }
   for (unsigned set = 0; set < 1u << LANES; set++) {
-    const int n = collect_positive(positive_in(set), j, load(v), to_j, to_v);
-    int expected = 0;
-    for (int m = 0; m < LANES; m++) {
-      if (!(set >> m & 1u)) continue;
-      ASSERT_LT(expected, n) << set;
-      EXPECT_EQ(to_j[expected], j[m]) << set;
-      EXPECT_EQ(to_v[expected], v[m]) << set;
-      expected++;
-    }
-    EXPECT_EQ(n, expected) << set;
-  }
-}
-
-TEST(Packs, FirstLanesAreStoredAndNoOthers)
-{
-  for (int n = 1; n <= LANES + 1; n++) {
-    double to[LANES + 2];
-    for (double &number : to) number = -7.0;
-    store_first(to, pack_of([](int m) {
-                  return 0.5 + m;
-                }),
-                n);
-    for (int m = 0; m < LANES + 2; m++) EXPECT_EQ(to[m], m < n && m < LANES ? 0.5 + m : -7.0) << n;
+    EXPECT_EQ(positive_lanes(positive_in(set)), set);
+    const Pack chosen = where_lanes(set, Pack(2.0), Pack(-3.0));
+    for (int m = 0; m < LANES; m++) EXPECT_EQ(chosen[m], set >> m & 1u ? 2.0 : -3.0) << set;
   }
 }
 

@@ -1,0 +1,335 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+/* ----------------------------------------------------------------------
+   Particles side by side, as the sweeps of both frames have them: own ones in blocks of as many
+   as there are lanes, all that is read of them in columns (sph_solid_columns.h), own, ghosts
+   and mirror images.  A frame says which components a column has, and which particles are pairs.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_COLUMN_SWEEPS_H
+#define LMP_SPH_SOLID_COLUMN_SWEEPS_H
+
+#include "sph_solid_columns.h"
+#include "sph_solid_points.h"
+#include "sph_solid_space.h"
+
+#include <utility>
+
+using namespace SPHSolid;
+
+// of one source file each time, as the compiler should know
+
+namespace {
+
+template <int D> class ColumnSweeps : public PointSweeps<D> {
+ public:
+  using PointSweeps<D>::PointSweeps;
+
+  int message_size(Message) const override;
+  void pack(Message, int, double *) const override;
+  void unpack(Message, const Particles &, int, const double *) override;
+  void velocity(int i, double *v) const override;
+
+ protected:
+  using Base = PointSweeps<D>;
+  using Base::images, Base::nparticles, Base::nthreads, Base::opt;
+  using Batch = typename Base::Batch;
+  using Totals = typename Base::Totals;
+  using Tensors = Tensor<D, Pack>;
+
+  // the first components of a column: positions, velocities (for heat: displacements)
+  static constexpr int X = 0, V = D, SYMMETRIC = D * (D + 1) / 2, MOST = 48;
+  static constexpr int NEXT = Columns::NEXT;
+
+  Columns columns;
+  // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
+  static constexpr double IN_CACHE = 512.0 * 1024.0;    // [bytes]
+  bool asks_ahead = false;
+  bool with_rows = false;        // for bodies that are no lattice
+  std::vector<int> own;          // own particles in the order of columns
+  std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
+  int end_of_own = 0, end_of_columns = 0;
+
+  // components that a message fills
+  struct Part {
+    int first, size;
+  };
+  virtual Part part_of(Message) const = 0;
+
+  // blocks
+  int blocks() const { return end_of_own / LANES; }
+  NeighborRows own_list() const
+  {
+    return {static_cast<int>(own.size()), const_cast<int *>(own.data()), nullptr, nullptr};
+  }
+  int particles_of(int block) const
+  {
+    return std::min(LANES, static_cast<int>(own.size()) - block * LANES);
+  }
+  template <class Call> Totals each_block(Call call);
+
+  // room for the components of gathered neighbors, as far apart as in columns
+  struct Scratch {
+    alignas(64) double of[(MOST + BLOCK) * NEXT];
+  };
+  void gather(const int *from, int first, int end, Scratch &) const;
+  template <int... C>
+  static void prefetch_components(const double *at, std::integer_sequence<int, C...>)
+  {
+    (prefetch(at + C * NEXT, 1), ...);
+  }
+
+  // of the particles of a block, or of a slot's neighbors
+  static Pack component(const double *at, int c) { return load(at + c * NEXT); }
+  static Tensors tensor(const double *at, int c)
+  {
+    Tensors t;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) t(a, b) = component(at, c + D * a + b);
+    return t;
+  }
+  static void difference(const double *i, const double *j, int c, Pack *out)
+  {
+    for (int a = 0; a < D; a++) out[a] = component(i, c + a) - component(j, c + a);
+  }
+  static Components<D> motion(const double *i, const double *j)
+  {
+    Components<D> d;
+    difference(i, j, X, d.x);
+    difference(i, j, V, d.v);
+    return d;
+  }
+  void store_tensor(int column, int c, const Tensors &t)
+  {
+    Pack components[D * D];
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) components[D * a + b] = t(a, b);
+    columns.store(column, c, components, D * D);
+  }
+  static void add_forces(const Particles &, const Batch &, const Pack *f);
+  static void repeat_last(Pack &, int n);
+  static void repeat_last(Tensors &t, int n)
+  {
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) repeat_last(t(a, b), n);
+  }
+  void pack_vectors(int block, const Batch &, int component, const double *const *of);
+  void pack_ghosts(const Particles &, const double *const *v);
+  void mirror_vectors(int component);
+  void mirror_component(int component, double factor, int image);
+  void mirror_tensor(int component, const double *sign, int image);
+  void mirror_rate(int component, const double *sign, int image);
+
+  // rates of deformation D: what lies on and above the diagonal, twice what lies above
+  void store_rate(int column, int at, const Tensors &L)
+  {
+    Pack components[SYMMETRIC], *to = components;
+    for (int a = 0; a < D; a++) {
+      *to++ = L(a, a);
+      for (int b = a + 1; b < D; b++) *to++ = L(a, b) + L(b, a);
+    }
+    columns.store(column, at, components, SYMMETRIC);
+  }
+  // x.Dx: of one particle, or the sum of two
+  static Pack stretching(const double *i, int at, const Pack *x)
+  {
+    return stretching(x, [=](int c) {
+      return component(i, at + c);
+    });
+  }
+  static Pack stretching(const double *i, const double *j, int at, const Pack *x)
+  {
+    return stretching(x, [=](int c) {
+      return component(i, at + c) + component(j, at + c);
+    });
+  }
+  template <class Rate> static Pack stretching(const Pack *x, Rate rate)
+  {
+    Pack sum = 0.0;
+    for (int a = 0, c = 0; a < D; a++) {
+      Pack t = rate(c++) * x[a];
+      for (int b = a + 1; b < D; b++) t = multiply_add(rate(c++), x[b], t);
+      sum = multiply_add(x[a], t, sum);
+    }
+    return sum;
+  }
+};
+
+// call(block, its particles, totals); the totals of all blocks
+
+template <int D>
+template <class Call>
+typename ColumnSweeps<D>::Totals ColumnSweeps<D>::each_block(Call call)
+{
+  const NeighborRows list = own_list();
+  return join_shares(
+      nthreads, blocks(), Totals(),
+      [&](int first, int end) {
+        Totals totals;
+        for (int block = first; block < end; block++)
+          call(block, Batch(list, block * LANES), totals);
+        return totals;
+      },
+      Totals::add);
+}
+
+// behind the last particle the last one again
+
+template <int D> void ColumnSweeps<D>::repeat_last(Pack &v, int n)
+{
+  const double last = v[n - 1];
+  v = where_positive(first_lanes(n), v, Pack(last));
+}
+
+/* ----------------------------------------------------------------------
+   what is read of neighbors
+------------------------------------------------------------------------- */
+
+// LAMMPS's vectors of a block; behind the last particle those of the last one again
+
+template <int D>
+void ColumnSweeps<D>::pack_vectors(int block, const Batch &batch, int component,
+                                   const double *const *of)
+{
+  Pack v[D];
+  if (batch.consecutive)
+    load_components<D>(of[batch.i[0]], v);
+  else
+    for (int a = 0; a < D; a++)
+      v[a] = pack_of([&](int m) {
+        return of[batch.i[m]][a];
+      });
+  columns.store(block * LANES, component, v, D);
+}
+
+// positions and velocities of ghosts and images
+
+template <int D>
+void ColumnSweeps<D>::pack_ghosts(const Particles &p, const double *const *v)
+{
+  each_share(nthreads, p.nall - p.nlocal, [&](int first, int end) {
+    for (int i = p.nlocal + first; i < p.nlocal + end; i++) {
+      const int column = column_of[i];
+      if (column < 0) continue;
+      columns.set(column, X, p.x[i], D);
+      columns.set(column, V, v[i], D);
+    }
+  });
+  for (int k = 0; k < images.count(); k++) {
+    const int column = column_of[nparticles + k];
+    double at[D];
+    images.template position<D>(k, p.x[images.source_of(k)], at);
+    columns.set(column, X, at, D);
+  }
+  mirror_vectors(V);
+}
+
+// of images
+
+template <int D> void ColumnSweeps<D>::mirror_vectors(int component)
+{
+  for (int k = 0; k < images.count(); k++) {
+    double sign[3];
+    images.signs(k, sign);
+    for (int a = 0; a < D; a++) mirror_component(component + a, sign[a], k);
+  }
+}
+
+template <int D> void ColumnSweeps<D>::mirror_component(int component, double factor, int image)
+{
+  const int from = column_of[images.source_of(image)], to = column_of[nparticles + image];
+  columns.set(to, component, factor * columns.get(from, component));
+}
+
+// a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
+// both signs
+
+template <int D>
+void ColumnSweeps<D>::mirror_tensor(int component, const double *sign, int image)
+{
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) mirror_component(component + D * a + b, sign[a] * sign[b], image);
+}
+
+template <int D>
+void ColumnSweeps<D>::mirror_rate(int component, const double *sign, int image)
+{
+  for (int a = 0; a < D; a++)
+    for (int b = a; b < D; b++) mirror_component(component++, sign[a] * sign[b], image);
+}
+
+template <int D> void ColumnSweeps<D>::velocity(int i, double *v) const
+{
+  const int column = column_of[i];
+  for (int a = 0; column >= 0 && a < D; a++) v[a] = columns.get(column, V + a);
+}
+
+// components of columns from[0], from[1], ... side by side
+
+template <int D>
+void ColumnSweeps<D>::gather(const int *from, int first, int end, Scratch &scratch) const
+{
+  const bool rows = columns.has_rows();
+  const double *at[LANES];
+  for (int m = 0; m < LANES; m++) at[m] = rows ? columns.row(from[m]) : columns.at(from[m]);
+  if (rows)
+    for (int c = first / BLOCK * BLOCK; c < end; c += BLOCK) {
+      Pack of[BLOCK];
+      for (int m = 0; m < BLOCK; m++)
+        of[m] = load(Addresses(at[m] + c, at[m + LANES - BLOCK] + c));
+      transpose(of[0], of[1], of[2], of[3]);
+      for (int k = 0; k < BLOCK; k++) store(scratch.of + (c + k) * NEXT, of[k]);
+    }
+  else
+    for (int c = first; c < end; c++)
+      store(scratch.of + c * NEXT, pack_of([&](int m) {
+              return at[m][c * NEXT];
+            }));
+}
+
+template <int D>
+void ColumnSweeps<D>::add_forces(const Particles &p, const Batch &batch, const Pack *f)
+{
+  if (batch.consecutive) return add_components<D>(p.f[batch.i[0]], f);
+  for (int m = 0; m < batch.n; m++)
+    for (int a = 0; a < D; a++) p.f[batch.i[m]][a] += f[a][m];
+}
+
+/* ----------------------------------------------------------------------
+   messages: a few components each
+------------------------------------------------------------------------- */
+
+template <int D> int ColumnSweeps<D>::message_size(Message what) const
+{
+  return part_of(what).size;
+}
+
+template <int D> void ColumnSweeps<D>::pack(Message what, int i, double *out) const
+{
+  const int column = column_of[i];    // none of who has no material
+  const Part part = part_of(what);
+  const double *from = columns.at(std::max(column, 0)) + part.first * NEXT;
+  for (int c = 0; c < part.size; c++) out[c] = column < 0 ? 0.0 : from[c * NEXT];
+}
+
+template <int D>
+void ColumnSweeps<D>::unpack(Message what, const Particles &, int i, const double *in)
+{
+  const Part part = part_of(what);
+  if (column_of[i] >= 0) columns.set(column_of[i], part.first, in, part.size);
+}
+
+}    // namespace
+
+#endif

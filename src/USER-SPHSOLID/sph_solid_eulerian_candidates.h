@@ -1,0 +1,319 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+/* ----------------------------------------------------------------------
+   The Eulerian frame between two neighbor lists: columns, and candidates arranged in slots.
+   Members of EulerianSweeps.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SPH_SOLID_EULERIAN_CANDIDATES_H
+#define LMP_SPH_SOLID_EULERIAN_CANDIDATES_H
+
+#include "sph_solid_eulerian.h"
+
+namespace {
+
+// slots that have room for this many times the candidates there are are reason to look for a better
+// order of particles, which has to be better by so much
+constexpr double WORTH_ANOTHER_ORDER = 1.4, MUCH_BETTER = 0.9;
+
+// a gathered slot is so many times the work of another
+constexpr int PRICE = 4;
+
+template <int D>
+void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
+{
+  Base::find_image_candidates(p, list, p.x, reach);
+  nparticles = p.nall;
+  arrange_candidates(p, list);
+  if (room() > room_when_tried) {
+    const double before = room();
+    by_position = !by_position;
+    arrange_candidates(p, list);
+    if (room() > MUCH_BETTER * before) {
+      by_position = !by_position;
+      arrange_candidates(p, list);
+    }
+    room_when_tried = WORTH_ANOTHER_ORDER * room();
+  }
+  for (std::size_t row = 0; row < column_of.size(); row++) {
+    if (column_of[row] < 0) continue;
+    const int i = source_of(static_cast<int>(row));
+    columns.set(column_of[row], MASS, p.mass[i]);
+    if (uniform) continue;
+    const double lengths[] = {types[p.type[i]].h, opt.hbar * types[p.type[i]].spacing};
+    columns.set(column_of[row], at_h, lengths, 2);
+  }
+  make_room_for_pairs();
+}
+
+/* ----------------------------------------------------------------------
+   columns: own particles, ghosts, images.  In the order of IDs a lattice is row by row, turned
+   or not, as create_atoms has made it, however LAMMPS sorts its particles or moves them
+   between ranks, and sums over pairs depend on nothing of that.  Where IDs say nothing, particles are
+   put in rows by their positions
+------------------------------------------------------------------------- */
+
+template <int D>
+void EulerianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list)
+{
+  struct Place {
+    std::int64_t key;
+    double x[D];
+    int row;
+    bool operator<(const Place &b) const
+    {
+      if (key != b.key) return key < b.key;
+      for (int a = 0; a < D; a++)    // periodic images have one ID
+        if (x[a] != b.x[a]) return x[a] < b.x[a];
+      return row < b.row;
+    }
+  };
+  double width = NO_LIMIT;
+  for (const TypeData &type : types)
+    if (type.h > 0.0) width = std::min(width, type.spacing);
+  std::vector<Place> places;
+  auto add = [&](int row) {
+    const int i = source_of(row);
+    Place place;
+    std::copy_n(p.x[i], D, place.x);
+    if (row >= p.nall) images.template position<D>(row - p.nall, p.x[i], place.x);
+    place.row = row;
+    place.key = p.id ? p.id[i] : i;
+    if (by_position) {
+      // rows along x, a spacing wide.  Of a lattice none is where rounding decides
+      place.key = 0;
+      for (int a = D - 1; a > 0; a--)
+        place.key = place.key * (1 << 20) + std::llround(place.x[a] / width + 0.25);
+    }
+    places.push_back(place);
+  };
+  for (int ii = 0; ii < list.inum; ii++) add(list.ilist[ii]);
+  for (int i = p.nlocal; i < p.nall; i++)
+    if (Base::has_material(p, i)) add(i);
+  for (int k = 0; k < images.count(); k++) add(p.nall + k);
+  if (!std::is_sorted(places.begin(), places.end())) std::sort(places.begin(), places.end());
+
+  column_of.assign(p.nall + images.count(), -1);
+  rank_of.assign(column_of.size(), 0);
+  own.clear();
+  for (std::size_t k = 0; k < places.size(); k++) {
+    const int row = places[k].row;
+    rank_of[row] = static_cast<int>(k);
+    if (row >= p.nlocal) continue;
+    column_of[row] = static_cast<int>(own.size());
+    own.push_back(row);
+  }
+  end_of_columns = end_of_own = whole_vectors(static_cast<int>(own.size()));
+  for (const bool ghosts : {true, false})
+    for (const Place &place : places)
+      if (place.row >= p.nlocal && (place.row < p.nall) == ghosts)
+        column_of[place.row] = end_of_columns++;
+}
+
+/* ----------------------------------------------------------------------
+   the candidates of a block's particles, arranged in slots: those as many columns further in
+   one, where there are enough of them, and others gathered.  Of each particle they keep
+   their order
+------------------------------------------------------------------------- */
+
+template <int D> struct EulerianSweeps<D>::Arranging {
+  const EulerianSweeps &of;
+  const NeighborRows &list;
+  const int first_ghost, first_image;    // columns
+  std::vector<std::int64_t> lane[LANES];    // rank and column of each candidate
+  std::vector<unsigned char> together;      // lanes with a candidate so many columns further
+  Candidates found;
+
+  Arranging(const EulerianSweeps &s, const NeighborRows &rows) :
+      of(s), list(rows), first_ghost(s.end_of_own), first_image(s.end_of_columns - s.images.count()),
+      together(2 * s.end_of_columns + 1, 0)
+  {
+  }
+
+  static int column(std::int64_t candidate) { return static_cast<int>(candidate & 0x7FFFFFFF); }
+  unsigned char &with(int offset) { return together[offset + of.end_of_columns]; }
+
+  void collect(int block)
+  {
+    for (int m = 0; m < LANES; m++) {
+      lane[m].clear();
+      if (m >= of.particles_of(block)) continue;
+      const int i = of.own[block * LANES + m];
+      auto add = [&](int n, const int *rows) {
+        for (int k = 0; k < n; k++) {
+          const int j = rows[k] & INDEX_MASK;
+          if (of.column_of[j] < 0) continue;
+          lane[m].push_back(std::int64_t(of.rank_of[j]) << 32 | of.column_of[j]);
+        }
+      };
+      add(list.numneigh[i], list.firstneigh[i]);
+      if (of.images.any())
+        add(of.image_first[i + 1] - of.image_first[i], of.image_j.data() + of.image_first[i]);
+      std::sort(lane[m].begin(), lane[m].end());
+    }
+  }
+
+  // append the slots of a block
+  void arrange(int block)
+  {
+    const int first = block * LANES;
+    collect(block);
+    for (int m = 0; m < LANES; m++)
+      for (const std::int64_t j : lane[m]) with(column(j) - (first + m))++;
+    int next[LANES] = {};
+    while (const unsigned heads = open(next)) {
+      const int lead = foremost(block, heads, next), offset = head(lead, next) - (first + lead);
+      const bool side_by_side = PRICE * with(offset) > LANES;
+      unsigned taken = 0;
+      for (int m = 0; m < LANES; m++) {
+        if (!(heads >> m & 1)) continue;
+        const int apart = head(m, next) - (first + m);
+        if (side_by_side ? apart == offset : PRICE * with(apart) <= LANES) taken |= 1u << m;
+      }
+      add_slot(first, side_by_side, offset, taken, next);
+      for (int m = 0; m < LANES; m++) next[m] += taken >> m & 1;
+    }
+    for (int m = 0; m < LANES; m++)
+      for (const std::int64_t j : lane[m]) with(column(j) - (first + m)) = 0;
+    found.first.push_back(static_cast<int>(found.further.size()));
+  }
+
+ private:
+  int head(int m, const int *next) const { return column(lane[m][next[m]]); }
+  // lanes that have a candidate left
+  unsigned open(const int *next) const
+  {
+    unsigned lanes = 0;
+    for (int m = 0; m < LANES; m++)
+      lanes |= (next[m] < static_cast<int>(lane[m].size()) ? 1u : 0u) << m;
+    return lanes;
+  }
+  // the one whose next candidate comes first
+  int foremost(int block, unsigned heads, const int *next) const
+  {
+    int lead = -1;
+    std::int64_t least = 0;
+    for (int m = 0; m < LANES; m++) {
+      if (!(heads >> m & 1)) continue;
+      const std::int64_t apart =
+          (lane[m][next[m]] >> 32) - of.rank_of[of.own[block * LANES + m]];
+      if (lead >= 0 && apart >= least) continue;
+      lead = m;
+      least = apart;
+    }
+    return lead;
+  }
+  void add_slot(int first, bool side_by_side, int offset, unsigned taken, const int *next)
+  {
+    bool mirrored = false;
+    for (int m = 0; m < LANES; m++)
+      mirrored = mirrored || ((taken >> m & 1) && head(m, next) >= first_image);
+    found.lanes.push_back(static_cast<unsigned char>(taken));
+    found.mirrored.push_back(mirrored);
+    if (side_by_side) {
+      found.further.push_back(of.columns.at(first + offset) - of.columns.at(first));
+      return;
+    }
+    found.further.push_back(Slots::GATHERED + static_cast<int>(found.gathered.size()) / LANES);
+    for (int m = 0; m < LANES; m++)
+      found.gathered.push_back(taken >> m & 1 ? head(m, next) : first + m);
+  }
+};
+
+template <int D> void EulerianSweeps<D>::Candidates::append(const Candidates &other)
+{
+  const int slots = first.back(), vectors = static_cast<int>(gathered.size()) / LANES;
+  for (std::size_t block = 1; block < other.first.size(); block++)
+    first.push_back(slots + other.first[block]);
+  for (const std::ptrdiff_t n : other.further)
+    further.push_back(n < Slots::GATHERED ? n : n + vectors);
+  lanes.insert(lanes.end(), other.lanes.begin(), other.lanes.end());
+  mirrored.insert(mirrored.end(), other.mirrored.begin(), other.mirrored.end());
+  gathered.insert(gathered.end(), other.gathered.begin(), other.gathered.end());
+}
+
+template <int D>
+void EulerianSweeps<D>::arrange_candidates(const Particles &p, const NeighborRows &list)
+{
+  place_columns(p, list);
+  columns.resize(end_of_columns, components(), false);
+  std::vector<Candidates> shares(nthreads);
+  const int number = number_shares(nthreads, blocks(), [&](int share, int first, int end) {
+    Arranging arranging(*this, list);
+    for (int block = first; block < end; block++) arranging.arrange(block);
+    shares[share] = std::move(arranging.found);
+  });
+  candidates = std::move(shares[0]);
+  for (int share = 1; share < number; share++) candidates.append(shares[share]);
+}
+
+// for so many times the candidates there are
+
+template <int D> double EulerianSweeps<D>::room() const
+{
+  std::size_t n = 0;
+  for (const unsigned lanes : candidates.lanes)
+    for (int m = 0; m < LANES; m++) n += lanes >> m & 1;
+  return n ? static_cast<double>(candidates.lanes.size() * LANES) / n : 1.0;
+}
+
+template <int D> void EulerianSweeps<D>::make_room_for_pairs()
+{
+  const std::size_t n = candidates.further.size(), all = n * LANES;
+  for (std::vector<int> *of : {&pairs.first, &pairs.count, &pairs.near_first, &pairs.near_count})
+    of->assign(blocks(), 0);
+  make_room(pairs.further, n);
+  make_room(pairs.lanes, n);
+  make_room(pairs.factor, all);
+  if (needs_correction()) {
+    make_room(pairs.near, n);
+    make_room(pairs.near_weight, all);
+  }
+  if (safe()) make_room(pairs.near_pull, all);
+  if (opt.tensile) make_room(pairs.crowd, all);
+  if (this->limits_step) mu_max.assign(end_of_own, 0.0);
+}
+
+template <int D> int EulerianSweeps<D>::neighbor_count(int i) const
+{
+  const int column = column_of[i], block = column / LANES;
+  int n = 0;
+  for (int k = 0; column >= 0 && k < pairs.count[block]; k++)
+    n += pairs.lanes[pairs.first[block] + k] >> column % LANES & 1;
+  return n;
+}
+
+template <int D> double EulerianSweeps<D>::memory_usage() const
+{
+  std::size_t all = 0, near = 0;    // what is in use of the room for candidates
+  for (const int n : pairs.count) all += n;
+  for (const int n : pairs.near_count) near += n;
+  auto used = [](const Room<double> &of, std::size_t n) {
+    return of.empty() ? 0 : n * LANES * sizeof(double);
+  };
+  const std::size_t ints = candidates.first.capacity() + candidates.gathered.capacity() +
+      4 * pairs.first.capacity() + own.capacity() + column_of.capacity() + rank_of.capacity() +
+      image_first.capacity() + image_j.capacity() + near + all * LANES;
+  return columns.memory_usage() +
+      static_cast<double>(ints * sizeof(int) + candidates.lanes.capacity() +
+                          candidates.mirrored.capacity() + all +
+                          (candidates.further.capacity() + all) * sizeof(std::ptrdiff_t) +
+                          used(pairs.near_weight, near) + used(pairs.near_pull, near) +
+                          used(pairs.pull, all) + used(pairs.crowd, all) +
+                          mu_max.capacity() * sizeof(double));
+}
+
+}    // namespace
+
+#endif
