@@ -120,7 +120,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   } candidates;
   std::vector<int> rank_of;    // of rows: sums over pairs are in this order
   bool by_position = false;    // or by ID
-  double room_when_tried = 1.4;    // WORTH_ANOTHER_ORDER
+  double work_when_tried = 1.0;
 
   // slots with a pair, found by the gradient sweep: those of a block side by side, in room for all
   // candidates.  grad_i W = factor/h0^(D+2) x_ij
@@ -153,7 +153,9 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   struct Arranging;
   void place_columns(const Particles &, const NeighborRows &);
   void arrange_candidates(const Particles &, const NeighborRows &);
-  double room() const;
+  void try_other_order(const Particles &, const NeighborRows &);
+  void place_constants(const Particles &, int i, int column);
+  double work() const;
   void make_room_for_pairs();
 
   // a sweep's view of the columns that slots of a block read.  Of gathered ones there are

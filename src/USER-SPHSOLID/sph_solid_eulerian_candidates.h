@@ -23,12 +23,14 @@
 
 namespace {
 
-// slots that have room for this many times the candidates there are are reason to look for a better
-// order of particles, which has to be better by so much
-constexpr double WORTH_ANOTHER_ORDER = 1.4, MUCH_BETTER = 0.9;
-
 // a gathered slot is so many times the work of another
 constexpr int PRICE = 4;
+
+// where slots are so many times the work of slots without a place left empty there may be a better order
+// of particles, which is not looked for again before work has grown as much, and has to be better
+// by so much.  A few particles take more in any order: theirs is that of IDs
+constexpr double WORTH_ANOTHER_ORDER = 2.5, MUCH_BETTER = 0.9;
+constexpr std::size_t MANY = 1000;
 
 template <int D>
 void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
@@ -36,25 +38,35 @@ void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &li
   Base::find_image_candidates(p, list, p.x, reach);
   nparticles = p.nall;
   arrange_candidates(p, list);
-  if (room() > room_when_tried) {
-    const double before = room();
-    by_position = !by_position;
-    arrange_candidates(p, list);
-    if (room() > MUCH_BETTER * before) {
-      by_position = !by_position;
-      arrange_candidates(p, list);
-    }
-    room_when_tried = WORTH_ANOTHER_ORDER * room();
-  }
-  for (std::size_t row = 0; row < column_of.size(); row++) {
-    if (column_of[row] < 0) continue;
-    const int i = source_of(static_cast<int>(row));
-    columns.set(column_of[row], MASS, p.mass[i]);
-    if (uniform) continue;
-    const double lengths[] = {types[p.type[i]].h, opt.hbar * types[p.type[i]].spacing};
-    columns.set(column_of[row], at_h, lengths, 2);
-  }
+  if (own.size() >= MANY && work() > WORTH_ANOTHER_ORDER * work_when_tried)
+    try_other_order(p, list);
+  for (std::size_t row = 0; row < column_of.size(); row++)
+    if (column_of[row] >= 0) place_constants(p, source_of(static_cast<int>(row)), column_of[row]);
+  for (int column = static_cast<int>(own.size()); column < end_of_own; column++)
+    place_constants(p, own.back(), column);    // behind the last particle the last one again
   make_room_for_pairs();
+}
+
+template <int D>
+void EulerianSweeps<D>::try_other_order(const Particles &p, const NeighborRows &list)
+{
+  const double before = work();
+  by_position = !by_position;
+  arrange_candidates(p, list);
+  work_when_tried = std::min(work(), before);
+  if (work() < MUCH_BETTER * before) return;
+  by_position = !by_position;
+  arrange_candidates(p, list);
+}
+
+template <int D>
+void EulerianSweeps<D>::place_constants(const Particles &p, int i, int column)
+{
+  const TypeData &type = types[p.type[i]];
+  columns.set(column, MASS, p.mass[i]);
+  if (uniform) return;
+  columns.set(column, at_h, type.h);
+  columns.set(column, at_near, opt.hbar * type.spacing);
 }
 
 /* ----------------------------------------------------------------------
@@ -258,14 +270,16 @@ void EulerianSweeps<D>::arrange_candidates(const Particles &p, const NeighborRow
   for (int share = 1; share < number; share++) candidates.append(shares[share]);
 }
 
-// for so many times the candidates there are
+// of slots, over that of as many as candidates would fill
 
-template <int D> double EulerianSweeps<D>::room() const
+template <int D> double EulerianSweeps<D>::work() const
 {
   std::size_t n = 0;
   for (const unsigned lanes : candidates.lanes)
     for (int m = 0; m < LANES; m++) n += lanes >> m & 1;
-  return n ? static_cast<double>(candidates.lanes.size() * LANES) / n : 1.0;
+  const double slots = static_cast<double>(candidates.lanes.size() * LANES) +
+      static_cast<double>(candidates.gathered.size()) * (PRICE - 1);
+  return n ? slots / static_cast<double>(n) : 1.0;
 }
 
 template <int D> void EulerianSweeps<D>::make_room_for_pairs()
