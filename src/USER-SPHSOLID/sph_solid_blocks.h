@@ -14,14 +14,10 @@
 /* ----------------------------------------------------------------------
    Packs of blocks: what is done between lanes.
 
-   The rows of sph_solid_rows.h are made of blocks of four doubles, so that a
-   pair is a handful of vector loads of its neighbor's row.  (A loop over pairs
-   with one component per vector has to gather every component from another
-   place, which costs several times the arithmetic.)
-
-   A pack holds as many blocks as it has room for, of as many pairs.  With four lanes that is one
-   block; with eight (AVX-512) two, of pair k and of pair k + 4.  Everything between lanes
-   stays inside its block, so that the same lines work with either.
+   What LAMMPS has of a particle lies in rows, stress six numbers long: four doubles of each
+   of four particles, a block, are loaded and transposed.  A pack holds as many blocks as it has room for.
+   With four lanes that is one; with eight (AVX-512) two, of particle k and of particle
+   k + 4.  Everything between lanes stays inside its block, so that the same lines work with either.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_BLOCKS_H
@@ -48,13 +44,7 @@ template <int i, int j, int k, int l> inline Pack shuffle(Pack a)
 struct Addresses {
   const double *block[BLOCKS];
 
-  // rows of particles j[0] and, with a second block, j[4]
-  Addresses(const double *rows, const int *j, int stride)
-  {
-    for (int b = 0; b < BLOCKS; b++)
-      block[b] = rows + static_cast<std::ptrdiff_t>(j[b * BLOCK]) * stride;
-  }
-  // the same of rows that have pointers
+  // rows j[0] and, with a second block, j[4]
   Addresses(const double *const *rows, const int *j)
   {
     for (int b = 0; b < BLOCKS; b++) block[b] = rows[j[b * BLOCK]];
@@ -63,7 +53,6 @@ struct Addresses {
   {
     for (int b = 0; b < BLOCKS; b++) block[b] = b == 0 ? first : second;
   }
-  explicit Addresses(const double *same) : Addresses(same, same) {}
   Addresses operator+(int n) const
   {
     Addresses a = *this;
@@ -79,7 +68,7 @@ inline Pack joined(__m256d low, __m256d high)
 }
 #endif
 
-// a block from each address, one block in all, one double in all lanes of each block
+// a block from each address
 
 inline Pack load(const Addresses &from)
 {
@@ -91,71 +80,6 @@ inline Pack load(const Addresses &from)
     std::memcpy(reinterpret_cast<char *>(&n) + b * BLOCK * sizeof(double), from.block[b],
                 BLOCK * sizeof(double));
   return Pack(n);
-#endif
-}
-
-inline Pack load_block(const double *from)
-{
-#if defined(SPHSOLID_AVX512)
-  return Pack(_mm512_maskz_broadcast_f64x4(0xFF, _mm256_loadu_pd(from)));
-#else
-  return load(Addresses(from));
-#endif
-}
-
-inline Pack load_all(const Addresses &from)
-{
-#if defined(SPHSOLID_AVX512)
-  return Pack(
-      _mm512_mask_broadcastsd_pd(_mm512_set1_pd(*from.block[0]), 0xF0, _mm_load_sd(from.block[1])));
-#else
-  return pack_of([&](int n) {
-    return *from.block[n / BLOCK];
-  });
-#endif
-}
-
-// {p0, p1, p0, p1} in each block
-
-inline Pack load_two_twice(const Addresses &from)
-{
-#if defined(SPHSOLID_AVX512)
-  return Pack(
-      _mm512_mask_broadcast_f64x2(_mm512_maskz_broadcast_f64x2(0xFF, _mm_loadu_pd(from.block[0])),
-                                  0xF0, _mm_loadu_pd(from.block[1])));
-#else
-  return pack_of([&](int n) {
-    return from.block[n / BLOCK][n % 2];
-  });
-#endif
-}
-
-// two doubles from each of LANES/2 addresses; and LANES/2 doubles, each of them twice
-
-inline Pack load_twos(const double *const *from)
-{
-#if defined(SPHSOLID_AVX512)
-  auto block = [from](int n) {
-    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(from[n])),
-                                _mm_loadu_pd(from[n + 1]), 1);
-  };
-  return joined(block(0), block(2));
-#else
-  return pack_of([from](int n) {
-    return from[n / 2][n % 2];
-  });
-#endif
-}
-
-inline Pack load_each_twice(const double *from)
-{
-#if defined(SPHSOLID_AVX512)
-  return Pack(_mm512_maskz_permutexvar_pd(0xFF, _mm512_set_epi64(3, 3, 2, 2, 1, 1, 0, 0),
-                                          _mm512_castpd256_pd512(_mm256_loadu_pd(from))));
-#else
-  return pack_of([from](int n) {
-    return from[n / 2];
-  });
 #endif
 }
 
@@ -187,23 +111,6 @@ inline Pack sum_of_blocks(Pack a)
   return BLOCKS == 1 ? a : a + other_block(a);
 }
 
-// the sum of all blocks of a and, in a second block, of b
-
-inline Pack sums_of_blocks(Pack a, Pack b)
-{
-#if defined(SPHSOLID_AVX512)
-  const Native p = a.native(), q = b.native();
-  return Pack(_mm512_maskz_shuffle_f64x2(0xFF, p, q, 0x44) +
-              _mm512_maskz_shuffle_f64x2(0xFF, p, q, 0xEE));
-#else
-  if (BLOCKS == 1) return a;
-  return pack_of([&](int n) {
-    const Pack &from = n < BLOCK ? a : b;
-    return from[n % BLOCK] + from[n % BLOCK + LANES - BLOCK];
-  });
-#endif
-}
-
 inline double sum(Pack a)
 {
   const Pack s = sum_of_blocks(a);
@@ -229,15 +136,6 @@ inline bool all_positive(Pack a)
 #endif
 }
 
-// {sum of a, of b, of c, of d}
-
-inline Pack sums(Pack a, Pack b, Pack c, Pack d)
-{
-  const Pack ab = shuffle<0, 4, 2, 6>(a, b) + shuffle<1, 5, 3, 7>(a, b);
-  const Pack cd = shuffle<0, 4, 2, 6>(c, d) + shuffle<1, 5, 3, 7>(c, d);
-  return shuffle<0, 1, 4, 5>(ab, cd) + shuffle<2, 3, 6, 7>(ab, cd);
-}
-
 // four rows become four columns
 
 inline void transpose(Pack &a, Pack &b, Pack &c, Pack &d)
@@ -249,18 +147,6 @@ inline void transpose(Pack &a, Pack &b, Pack &c, Pack &d)
   c = shuffle<2, 3, 6, 7>(ab0, cd0);
   d = shuffle<2, 3, 6, 7>(ab1, cd1);
 }
-
-// lane m of each block in all of its lanes, for m = 0 to 3
-
-struct Spread {
-  Pack of[BLOCK];
-  explicit Spread(Pack a) :
-      of{shuffle<0, 0, 0, 0>(a), shuffle<1, 1, 1, 1>(a), shuffle<2, 2, 2, 2>(a),
-         shuffle<3, 3, 3, 3>(a)}
-  {
-  }
-  const Pack &operator[](int m) const { return of[m]; }
-};
 
 }    // namespace SPHSolid
 #endif

@@ -40,16 +40,19 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   void pack(Message, int, double *) const override;
   void unpack(Message, const Particles &, int, const double *) override;
   void velocity(int i, double *v) const override;
+  void mirror_switch() override;
+  void virial(const Particles &, const NeighborRows &, double *) override;
 
  protected:
   using Base = PointSweeps<D>;
-  using Base::images, Base::nparticles, Base::nthreads, Base::opt;
+  using Base::images, Base::lonely, Base::needs_correction, Base::nparticles, Base::nthreads,
+      Base::opt;
   using Batch = typename Base::Batch;
   using Totals = typename Base::Totals;
   using Tensors = Tensor<D, Pack>;
 
   // the first components of a column: positions, velocities (for heat: displacements)
-  static constexpr int X = 0, V = D, SYMMETRIC = D * (D + 1) / 2, MOST = 48;
+  static constexpr int X = 0, V = D, SYMMETRIC = D * (D + 1) / 2;
   static constexpr int NEXT = Columns::NEXT;
 
   Columns columns;
@@ -61,11 +64,16 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
   int end_of_own = 0, end_of_columns = 0;
 
-  // components that a message fills
+  // components that messages fill: what ghosts are sent of the constitutive update lies from stress
+  // to da, n of the correction or the switch of a viscosity at last, the viscous acceleration at da
+  struct Places {
+    int stress, last, da;
+  };
+  virtual Places places() const = 0;
   struct Part {
     int first, size;
   };
-  virtual Part part_of(Message) const = 0;
+  Part part_of(Message) const;
 
   // blocks
   int blocks() const { return end_of_own / LANES; }
@@ -79,11 +87,12 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   }
   template <class Call> Totals each_block(Call call);
 
-  // room for the components of gathered neighbors, as far apart as in columns
-  struct Scratch {
+  // room for so many components of gathered neighbors, as far apart as in columns.  No more than
+  // there can be: a stack is touched page by page before it is used
+  template <int MOST> struct Scratch {
     alignas(64) double of[(MOST + BLOCK) * NEXT];
   };
-  void gather(const int *from, int first, int end, Scratch &) const;
+  void gather(const int *from, int first, int end, double *to) const;
   template <int... C>
   static void prefetch_components(const double *at, std::integer_sequence<int, C...>)
   {
@@ -164,6 +173,46 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     }
     return sum;
   }
+
+  // viscosity.  For the switch of "front": the velocity gradient of a particle predicts the jump
+  // x_ij.D x_ij of a pair.  Weights -F_ij V_j/x_ij^2 with g_ij = F_ij x_ij, given without 1/x_ij^2
+  struct Jumps {
+    const double *const i;
+    const Pack least;    // particles may meet
+    Pack rest2 = 0.0, linear2 = 0.0;
+    Jumps(const double *own, Pack h) : i(own), least(MU_EPSILON * h * h) {}
+    void add(const double *j, int at_rate, Pack weight)
+    {
+      const Components<D> d = motion(i, j);
+      const Pack li = stretching(i, at_rate, d.x), lj = stretching(j, at_rate, d.x);
+      const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
+      const Pack w = weight / (d.x_dot_x() + least);
+      rest2 += w * rest * rest;
+      linear2 += 0.5 * w * (li * li + lj * lj);
+    }
+    Pack unresolved() const { return unresolved_share(rest2, linear2); }
+  };
+  void find_lonely();
+  Pack whole_pull(const double *i, const double *j, int last, Pack pull) const;
+  // the part of a pair's viscous force that is heat as it is: a compatible correction heats in a
+  // way of its own, but for pairs that it must not touch
+  Pack heated_pull(const double *i, const double *j, int last, Pack pull) const
+  {
+    const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
+    return all ? pull : whole_pull(i, j, last, pull);
+  }
+  // weights safe, without the weight
+  static Pack safe_pull_of(const double *i, const double *j, int at_da)
+  {
+    const Components<D> d = motion(i, j);
+    Pack a[D];
+    difference(i, j, at_da, a);
+    return safe_pull(dot<D>(a, d.x), d.v_dot_x(), d.x_dot_x());
+  }
+  Pack standard_power(const double *i, Pack mass) const;
+
+  // of a block the sum of f_ij (x) x_ij
+  virtual Tensors block_virial(const Particles &, int block, const Batch &) const = 0;
 };
 
 // call(block, its particles, totals); the totals of all blocks
@@ -215,8 +264,7 @@ void ColumnSweeps<D>::pack_vectors(int block, const Batch &batch, int component,
 
 // positions and velocities of ghosts and images
 
-template <int D>
-void ColumnSweeps<D>::pack_ghosts(const Particles &p, const double *const *v)
+template <int D> void ColumnSweeps<D>::pack_ghosts(const Particles &p, const double *const *v)
 {
   each_share(nthreads, p.nall - p.nlocal, [&](int first, int end) {
     for (int i = p.nlocal + first; i < p.nlocal + end; i++) {
@@ -255,15 +303,13 @@ template <int D> void ColumnSweeps<D>::mirror_component(int component, double fa
 // a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
 // both signs
 
-template <int D>
-void ColumnSweeps<D>::mirror_tensor(int component, const double *sign, int image)
+template <int D> void ColumnSweeps<D>::mirror_tensor(int component, const double *sign, int image)
 {
   for (int a = 0; a < D; a++)
     for (int b = 0; b < D; b++) mirror_component(component + D * a + b, sign[a] * sign[b], image);
 }
 
-template <int D>
-void ColumnSweeps<D>::mirror_rate(int component, const double *sign, int image)
+template <int D> void ColumnSweeps<D>::mirror_rate(int component, const double *sign, int image)
 {
   for (int a = 0; a < D; a++)
     for (int b = a; b < D; b++) mirror_component(component++, sign[a] * sign[b], image);
@@ -277,8 +323,7 @@ template <int D> void ColumnSweeps<D>::velocity(int i, double *v) const
 
 // components of columns from[0], from[1], ... side by side
 
-template <int D>
-void ColumnSweeps<D>::gather(const int *from, int first, int end, Scratch &scratch) const
+template <int D> void ColumnSweeps<D>::gather(const int *from, int first, int end, double *to) const
 {
   const bool rows = columns.has_rows();
   const double *at[LANES];
@@ -286,14 +331,13 @@ void ColumnSweeps<D>::gather(const int *from, int first, int end, Scratch &scrat
   if (rows)
     for (int c = first / BLOCK * BLOCK; c < end; c += BLOCK) {
       Pack of[BLOCK];
-      for (int m = 0; m < BLOCK; m++)
-        of[m] = load(Addresses(at[m] + c, at[m + LANES - BLOCK] + c));
+      for (int m = 0; m < BLOCK; m++) of[m] = load(Addresses(at[m] + c, at[m + LANES - BLOCK] + c));
       transpose(of[0], of[1], of[2], of[3]);
-      for (int k = 0; k < BLOCK; k++) store(scratch.of + (c + k) * NEXT, of[k]);
+      for (int k = 0; k < BLOCK; k++) store(to + (c + k) * NEXT, of[k]);
     }
   else
     for (int c = first; c < end; c++)
-      store(scratch.of + c * NEXT, pack_of([&](int m) {
+      store(to + c * NEXT, pack_of([&](int m) {
               return at[m][c * NEXT];
             }));
 }
@@ -309,6 +353,14 @@ void ColumnSweeps<D>::add_forces(const Particles &p, const Batch &batch, const P
 /* ----------------------------------------------------------------------
    messages: a few components each
 ------------------------------------------------------------------------- */
+
+template <int D> typename ColumnSweeps<D>::Part ColumnSweeps<D>::part_of(Message what) const
+{
+  const Places at = places();
+  if (what == Message::STRESS) return {at.stress, at.da - at.stress};
+  if (what == Message::SWITCH) return {at.last, 1};
+  return {what == Message::VISCOUS ? at.da : V, D};
+}
 
 template <int D> int ColumnSweeps<D>::message_size(Message what) const
 {
@@ -328,6 +380,67 @@ void ColumnSweeps<D>::unpack(Message what, const Particles &, int i, const doubl
 {
   const Part part = part_of(what);
   if (column_of[i] >= 0) columns.set(column_of[i], part.first, in, part.size);
+}
+
+/* ----------------------------------------------------------------------
+   viscosity
+------------------------------------------------------------------------- */
+
+template <int D> void ColumnSweeps<D>::mirror_switch()
+{
+  for (int k = 0; k < images.count(); k++) mirror_component(places().last, 1.0, k);
+}
+
+// is there a particle without a nearest neighbor?
+
+template <int D> void ColumnSweeps<D>::find_lonely()
+{
+  const int last = places().last;
+  lonely = false;
+  for (const int column : column_of)
+    lonely = lonely || (column >= 0 && !(columns.get(column, last) > 0.0));
+}
+
+// of the pairs that the correction must not touch since one of the two has no nearest neighbor,
+// the whole viscous force: what is left of a pair's pull there, 0 elsewhere
+
+template <int D>
+Pack ColumnSweeps<D>::whole_pull(const double *i, const double *j, int last, Pack pull) const
+{
+  if (!needs_correction()) return pull;
+  const Pack zero(0.0);
+  const Pack both = where_positive(component(i, last), component(j, last), zero);
+  return where_positive(both, zero, pull);
+}
+
+// what the standard viscosity would heat, apart from pairs that are heated as they are
+
+template <int D> Pack ColumnSweeps<D>::standard_power(const double *i, Pack mass) const
+{
+  Pack power = 0.0;
+  if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
+  const int at_da = places().da;
+  for (int a = 0; a < D; a++) power -= mass * component(i, at_da + a) * component(i, V + a);
+  return power;
+}
+
+/* ----------------------------------------------------------------------
+   virial, only on steps that ask for it: half of each pair's sum x_ij f_ij
+------------------------------------------------------------------------- */
+
+template <int D> void ColumnSweeps<D>::virial(const Particles &p, const NeighborRows &, double *six)
+{
+  const NeighborRows list = own_list();
+  Base::add_virial(blocks(), six, [&](int first, int end) {
+    typename Base::Six total = {};
+    for (int block = first; block < end; block++) {
+      const Tensors sum = block_virial(p, block, Batch(list, block * LANES));
+      for (int a = 0; a < D; a++)
+        for (int b = a; b < D; b++)
+          total[VOIGT[a][b]] += 0.5 * Base::sum_of_first(sum(b, a), particles_of(block));
+    }
+    return total;
+  });
 }
 
 }    // namespace

@@ -74,12 +74,11 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   void unpack(Message, const Particles &, int, const double *) override;
   void mirror_stress() override;
   void find_switch(const Particles &, const NeighborRows &) override;
-  void mirror_switch() override;
   void force(const Particles &, const NeighborRows &) override;
   void correction(const Particles &, const NeighborRows &) override;
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
-  void virial(const Particles &, const NeighborRows &, double *) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
+  void displace(const Particles &, int first, int n, const double *u) override;
   int neighbor_count(int i) const override;
   double memory_usage() const override;
 
@@ -92,14 +91,14 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   using Side::blocks, Side::column_of, Side::columns, Side::component, Side::difference,
       Side::each_block, Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own,
       Side::own_list, Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
-  using typename Side::Batch, typename Side::Totals, typename Side::Tensors, typename Side::Part,
+  using typename Side::Batch, typename Side::Totals, typename Side::Tensors, typename Side::Places,
       typename Base::Points;
 
   // components of a column behind positions and velocities: V/h0^(D+2), this step's; mass; what
   // ghosts are sent, from the constitutive update: T and K, where the force on i from j is
   // K_i K_j (T_i + T_j) grad W (gradient corrected: K = V, T = sigma B^T; plain: K = m,
-  // T = sigma/rho^2, eq. 19), density, bulk sound speed, n of the correction or the switch of a
-  // viscosity; then, if a scene needs them, R of the artificial stress, the rate of deformation,
+  // T = sigma/rho^2, eq. 19), density, bulk sound speed, 1/n of the correction (0: no nearest
+  // neighbor) or the switch of a viscosity; then, if a scene needs them, R of the artificial stress, the rate of deformation,
   // the viscous acceleration and, where they differ, smoothing length and support of Wbar
   static constexpr int VOLUME = 2 * D, MASS = VOLUME + 1, T = MASS + 1, K = T + D * D, RHO = K + 1,
                        SOUND = RHO + 1, LAST = SOUND + 1, FIXED = LAST + 1;
@@ -118,7 +117,8 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     std::vector<int> gathered;              // LANES columns each
     void append(const Candidates &);
   } candidates;
-  std::vector<int> rank_of;    // of rows: sums over pairs are in this order
+  // of rows: sums over pairs are in the order of these numbers, whose lower half are columns; -1: none
+  std::vector<std::int64_t> ranked;
   bool by_position = false;    // or by ID
   double work_when_tried = 1.0;
 
@@ -132,8 +132,8 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     Room<int> near;               // slots with a nearest neighbor
     Room<double> near_weight;     // of those: m_j Wbar_ij, then the weights
     Room<double> near_pull;       // weights safe: force on i = m_i/2 near_pull x_ij
-    Room<double> pull;    // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
-    Room<double> crowd;    // with artificial stress: (W/W(spacing))^n
+    Room<double> pull;            // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
+    Room<double> crowd;           // with artificial stress: (W/W(spacing))^n
   } pairs;
   Rows mu_max;    // of own: largest approach rate, for a time step limit
 
@@ -147,7 +147,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     }
     return true;
   }
-  Part part_of(Message) const override;
+  Places places() const override { return {T, LAST, at_da}; }
 
   // candidates
   struct Arranging;
@@ -176,12 +176,12 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     const EulerianSweeps &of;
     const double *const i;
     const int first, end, second, second_end;
-    typename Side::Scratch scratch;
+    typename Side::template Scratch<FIXED + D * D + SYMMETRIC + D + 2> scratch;
 
     const double *gathered(const int *from)
     {
-      of.gather(from, first, end, scratch);
-      of.gather(from, second, second_end, scratch);
+      of.gather(from, first, end, scratch.of);
+      of.gather(from, second, second_end, scratch.of);
       return scratch.of;
     }
   };
@@ -212,12 +212,6 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   template <PairForm FORM> void force_blocks(const Particles &);
   template <PairForm FORM, bool TENSILE, bool UNIFORM>
   void force_block(const Particles &, int block, const Batch &);
-  Pack whole_pull(const double *i, const double *j, Pack pull) const;
-  Pack heated_pull(const double *i, const double *j, Pack pull) const
-  {
-    const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
-    return all ? pull : whole_pull(i, j, pull);
-  }
 
   // correction: of pair number n of the nearest ones of a block, what its force is along
   // and what it is times m_i/2
@@ -230,11 +224,9 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   void safe_pulls(int block);
 
   // heat
-  template <bool PULL, bool TENSILE>
-  void add_power(int block, Pack &stress, Pack &viscous) const;
+  template <bool PULL, bool TENSILE> void add_power(int block, Pack &stress, Pack &viscous) const;
   Pack corrected_power(int block) const;
-  Pack standard_power(const double *i, Pack mass) const;
-  Tensors block_virial(const Particles &, int block, const Batch &) const;
+  Tensors block_virial(const Particles &, int block, const Batch &) const override;
 };
 
 }    // namespace

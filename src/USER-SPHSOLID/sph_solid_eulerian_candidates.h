@@ -21,6 +21,8 @@
 
 #include "sph_solid_eulerian.h"
 
+#include <limits>
+
 namespace {
 
 // a gathered slot is so many times the work of another
@@ -32,6 +34,9 @@ constexpr int PRICE = 4;
 constexpr double WORTH_ANOTHER_ORDER = 2.5, MUCH_BETTER = 0.9;
 constexpr std::size_t MANY = 1000;
 
+// this part of all slots gathered is worth having rows of what columns have
+constexpr double WORTH_ROWS = 0.2;
+
 template <int D>
 void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
 {
@@ -40,6 +45,9 @@ void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &li
   arrange_candidates(p, list);
   if (own.size() >= MANY && work() > WORTH_ANOTHER_ORDER * work_when_tried)
     try_other_order(p, list);
+  const double gathered = static_cast<double>(candidates.gathered.size()) / LANES;
+  if (gathered > WORTH_ROWS * static_cast<double>(candidates.further.size()))
+    columns.resize(end_of_columns, components(), true);
   for (std::size_t row = 0; row < column_of.size(); row++)
     if (column_of[row] >= 0) place_constants(p, source_of(static_cast<int>(row)), column_of[row]);
   for (int column = static_cast<int>(own.size()); column < end_of_own; column++)
@@ -59,8 +67,7 @@ void EulerianSweeps<D>::try_other_order(const Particles &p, const NeighborRows &
   arrange_candidates(p, list);
 }
 
-template <int D>
-void EulerianSweeps<D>::place_constants(const Particles &p, int i, int column)
+template <int D> void EulerianSweeps<D>::place_constants(const Particles &p, int i, int column)
 {
   const TypeData &type = types[p.type[i]];
   columns.set(column, MASS, p.mass[i]);
@@ -76,8 +83,7 @@ void EulerianSweeps<D>::place_constants(const Particles &p, int i, int column)
    put in rows by their positions
 ------------------------------------------------------------------------- */
 
-template <int D>
-void EulerianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list)
+template <int D> void EulerianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list)
 {
   struct Place {
     std::int64_t key;
@@ -117,20 +123,20 @@ void EulerianSweeps<D>::place_columns(const Particles &p, const NeighborRows &li
   if (!std::is_sorted(places.begin(), places.end())) std::sort(places.begin(), places.end());
 
   column_of.assign(p.nall + images.count(), -1);
-  rank_of.assign(column_of.size(), 0);
   own.clear();
-  for (std::size_t k = 0; k < places.size(); k++) {
-    const int row = places[k].row;
-    rank_of[row] = static_cast<int>(k);
-    if (row >= p.nlocal) continue;
-    column_of[row] = static_cast<int>(own.size());
-    own.push_back(row);
+  for (const Place &place : places) {
+    if (place.row >= p.nlocal) continue;
+    column_of[place.row] = static_cast<int>(own.size());
+    own.push_back(place.row);
   }
   end_of_columns = end_of_own = whole_vectors(static_cast<int>(own.size()));
   for (const bool ghosts : {true, false})
     for (const Place &place : places)
       if (place.row >= p.nlocal && (place.row < p.nall) == ghosts)
         column_of[place.row] = end_of_columns++;
+  ranked.assign(column_of.size(), -1);
+  for (std::size_t k = 0; k < places.size(); k++)
+    ranked[places[k].row] = std::int64_t(k) << 32 | column_of[places[k].row];
 }
 
 /* ----------------------------------------------------------------------
@@ -142,19 +148,24 @@ void EulerianSweeps<D>::place_columns(const Particles &p, const NeighborRows &li
 template <int D> struct EulerianSweeps<D>::Arranging {
   const EulerianSweeps &of;
   const NeighborRows &list;
-  const int first_ghost, first_image;    // columns
-  std::vector<std::int64_t> lane[LANES];    // rank and column of each candidate
+  const int first_image;                    // column
+  std::vector<std::int64_t> lane[LANES];    // of each candidate what `ranked` has, in this order
   std::vector<unsigned char> together;      // lanes with a candidate so many columns further
   Candidates found;
 
+  // the next candidate of each lane: how much further it is in rank and in columns
+  static constexpr int NONE = std::numeric_limits<int>::max();
+  int rank[LANES], apart[LANES], next[LANES];
+  unsigned rare;    // lanes where few others have one as far apart
+
   Arranging(const EulerianSweeps &s, const NeighborRows &rows) :
-      of(s), list(rows), first_ghost(s.end_of_own), first_image(s.end_of_columns - s.images.count()),
+      of(s), list(rows), first_image(s.end_of_columns - s.images.count()),
       together(2 * s.end_of_columns + 1, 0)
   {
   }
 
   static int column(std::int64_t candidate) { return static_cast<int>(candidate & 0x7FFFFFFF); }
-  unsigned char &with(int offset) { return together[offset + of.end_of_columns]; }
+  unsigned char &with(int columns_apart) { return together[columns_apart + of.end_of_columns]; }
 
   void collect(int block)
   {
@@ -164,9 +175,8 @@ template <int D> struct EulerianSweeps<D>::Arranging {
       const int i = of.own[block * LANES + m];
       auto add = [&](int n, const int *rows) {
         for (int k = 0; k < n; k++) {
-          const int j = rows[k] & INDEX_MASK;
-          if (of.column_of[j] < 0) continue;
-          lane[m].push_back(std::int64_t(of.rank_of[j]) << 32 | of.column_of[j]);
+          const std::int64_t j = of.ranked[rows[k] & INDEX_MASK];
+          if (j >= 0) lane[m].push_back(j);
         }
       };
       add(list.numneigh[i], list.firstneigh[i]);
@@ -183,18 +193,23 @@ template <int D> struct EulerianSweeps<D>::Arranging {
     collect(block);
     for (int m = 0; m < LANES; m++)
       for (const std::int64_t j : lane[m]) with(column(j) - (first + m))++;
-    int next[LANES] = {};
-    while (const unsigned heads = open(next)) {
-      const int lead = foremost(block, heads, next), offset = head(lead, next) - (first + lead);
-      const bool side_by_side = PRICE * with(offset) > LANES;
-      unsigned taken = 0;
-      for (int m = 0; m < LANES; m++) {
-        if (!(heads >> m & 1)) continue;
-        const int apart = head(m, next) - (first + m);
-        if (side_by_side ? apart == offset : PRICE * with(apart) <= LANES) taken |= 1u << m;
+    rare = 0;
+    for (int m = 0; m < LANES; m++) {
+      next[m] = -1;
+      advance(first, m);
+    }
+    for (;;) {
+      const int lead = static_cast<int>(std::min_element(rank, rank + LANES) - rank);
+      if (rank[lead] == NONE) break;
+      const bool side_by_side = !(rare >> lead & 1);
+      unsigned taken = rare;
+      if (side_by_side) {
+        taken = 0;
+        for (int m = 0; m < LANES; m++) taken |= (apart[m] == apart[lead] ? 1u : 0u) << m;
       }
-      add_slot(first, side_by_side, offset, taken, next);
-      for (int m = 0; m < LANES; m++) next[m] += taken >> m & 1;
+      add_slot(first, side_by_side, apart[lead], taken);
+      for (int m = 0; m < LANES; m++)
+        if (taken >> m & 1) advance(first, m);
     }
     for (int m = 0; m < LANES; m++)
       for (const std::int64_t j : lane[m]) with(column(j) - (first + m)) = 0;
@@ -202,44 +217,30 @@ template <int D> struct EulerianSweeps<D>::Arranging {
   }
 
  private:
-  int head(int m, const int *next) const { return column(lane[m][next[m]]); }
-  // lanes that have a candidate left
-  unsigned open(const int *next) const
+  void advance(int first, int m)
   {
-    unsigned lanes = 0;
-    for (int m = 0; m < LANES; m++)
-      lanes |= (next[m] < static_cast<int>(lane[m].size()) ? 1u : 0u) << m;
-    return lanes;
+    rank[m] = apart[m] = NONE;
+    rare &= ~(1u << m);
+    if (++next[m] >= static_cast<int>(lane[m].size())) return;
+    const std::int64_t j = lane[m][next[m]];
+    rank[m] = static_cast<int>(j >> 32) - static_cast<int>(of.ranked[of.own[first + m]] >> 32);
+    apart[m] = column(j) - (first + m);
+    if (PRICE * with(apart[m]) <= LANES) rare |= 1u << m;
   }
-  // the one whose next candidate comes first
-  int foremost(int block, unsigned heads, const int *next) const
-  {
-    int lead = -1;
-    std::int64_t least = 0;
-    for (int m = 0; m < LANES; m++) {
-      if (!(heads >> m & 1)) continue;
-      const std::int64_t apart =
-          (lane[m][next[m]] >> 32) - of.rank_of[of.own[block * LANES + m]];
-      if (lead >= 0 && apart >= least) continue;
-      lead = m;
-      least = apart;
-    }
-    return lead;
-  }
-  void add_slot(int first, bool side_by_side, int offset, unsigned taken, const int *next)
+  void add_slot(int first, bool side_by_side, int further, unsigned taken)
   {
     bool mirrored = false;
     for (int m = 0; m < LANES; m++)
-      mirrored = mirrored || ((taken >> m & 1) && head(m, next) >= first_image);
+      mirrored = mirrored || ((taken >> m & 1) && first + m + apart[m] >= first_image);
     found.lanes.push_back(static_cast<unsigned char>(taken));
     found.mirrored.push_back(mirrored);
     if (side_by_side) {
-      found.further.push_back(of.columns.at(first + offset) - of.columns.at(first));
+      found.further.push_back(of.columns.at(first + further) - of.columns.at(first));
       return;
     }
     found.further.push_back(Slots::GATHERED + static_cast<int>(found.gathered.size()) / LANES);
     for (int m = 0; m < LANES; m++)
-      found.gathered.push_back(taken >> m & 1 ? head(m, next) : first + m);
+      found.gathered.push_back(taken >> m & 1 ? first + m + apart[m] : first + m);
   }
 };
 
@@ -317,15 +318,14 @@ template <int D> double EulerianSweeps<D>::memory_usage() const
     return of.empty() ? 0 : n * LANES * sizeof(double);
   };
   const std::size_t ints = candidates.first.capacity() + candidates.gathered.capacity() +
-      4 * pairs.first.capacity() + own.capacity() + column_of.capacity() + rank_of.capacity() +
+      4 * pairs.first.capacity() + own.capacity() + column_of.capacity() + 2 * ranked.capacity() +
       image_first.capacity() + image_j.capacity() + near + all * LANES;
   return columns.memory_usage() +
-      static_cast<double>(ints * sizeof(int) + candidates.lanes.capacity() +
-                          candidates.mirrored.capacity() + all +
-                          (candidates.further.capacity() + all) * sizeof(std::ptrdiff_t) +
-                          used(pairs.near_weight, near) + used(pairs.near_pull, near) +
-                          used(pairs.pull, all) + used(pairs.crowd, all) +
-                          mu_max.capacity() * sizeof(double));
+      static_cast<double>(
+             ints * sizeof(int) + candidates.lanes.capacity() + candidates.mirrored.capacity() +
+             all + (candidates.further.capacity() + all) * sizeof(std::ptrdiff_t) +
+             used(pairs.near_weight, near) + used(pairs.near_pull, near) + used(pairs.pull, all) +
+             used(pairs.crowd, all) + mu_max.capacity() * sizeof(double));
 }
 
 }    // namespace

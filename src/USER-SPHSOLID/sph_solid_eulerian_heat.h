@@ -41,7 +41,7 @@ void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *h
           viscous *= 0.5 * unit_factor * mass;
           // what the standard viscosity would heat: here is all of it for eq. 30, else the pairs
           // that no correction touches
-          const Pack standard = standard_power(columns.at(block * LANES), mass);
+          const Pack standard = Side::standard_power(columns.at(block * LANES), mass);
           t.standard += Base::sum_of_first(viscous + standard, batch.n);
           if (needs_correction()) viscous -= 0.25 * mass * corrected_power(block);
           t.viscous += Base::sum_of_first(viscous, batch.n);
@@ -84,20 +84,12 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
       of_pair = multiply_add(d.v[a], t, of_pair);
     });
     sum = multiply_add(load(factors + s * LANES) * component(j, K), of_pair, sum);
-    if (PULL) pulled = multiply_add(heated_pull(i, j, load(pulls + s * LANES)), d.v_dot_x(), pulled);
+    if (PULL)
+      pulled =
+          multiply_add(Side::heated_pull(i, j, LAST, load(pulls + s * LANES)), d.v_dot_x(), pulled);
   }
   stress = -unit_factor * component(i, K) * sum;
   viscous = pulled;
-}
-
-// what the standard viscosity would heat, apart from pairs that are heated as they are
-
-template <int D> Pack EulerianSweeps<D>::standard_power(const double *i, Pack mass) const
-{
-  Pack power = 0.0;
-  if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
-  for (int a = 0; a < D; a++) power -= mass * component(i, at_da + a) * component(i, V + a);
-  return power;
 }
 
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
@@ -109,7 +101,8 @@ template <int D> Pack EulerianSweeps<D>::standard_power(const double *i, Pack ma
 
 template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
 {
-  const bool evenly = opt.weights == Weights::CONSERVATIVE, printed = opt.heating == Heating::PRINTED;
+  const bool evenly = opt.weights == Weights::CONSERVATIVE,
+             printed = opt.heating == Heating::PRINTED;
   const double *i = columns.at(block * LANES), *factors = near_factors(block);
   const int *near = pairs.near.data() + pairs.near_first[block];
   Neighbors neighbors(*this, block, X, V + D, at_da, at_da + D);
@@ -132,30 +125,12 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
 }
 
 /* ----------------------------------------------------------------------
-   virial, only on steps that ask for it: half of each pair's sum x_ij f_ij
+   virial: of a block sum f_ij (x) x_ij
 ------------------------------------------------------------------------- */
 
 template <int D>
-void EulerianSweeps<D>::virial(const Particles &p, const NeighborRows &, double *six)
-{
-  const NeighborRows list = own_list();
-  Base::add_virial(blocks(), six, [&](int first, int end) {
-    typename Base::Six total = {};
-    for (int block = first; block < end; block++) {
-      const Tensors sum = block_virial(p, block, Batch(list, block * LANES));
-      for (int a = 0; a < D; a++)
-        for (int b = a; b < D; b++)
-          total[VOIGT[a][b]] += 0.5 * Base::sum_of_first(sum(b, a), particles_of(block));
-    }
-    return total;
-  });
-}
-
-// sum of f_ij (x) x_ij
-
-template <int D>
-typename EulerianSweeps<D>::Tensors
-EulerianSweeps<D>::block_virial(const Particles &p, int block, const Batch &batch) const
+typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Particles &p, int block,
+                                                                    const Batch &batch) const
 {
   const double *i = columns.at(block * LANES), *factors = near_factors(block);
   const Pack mass = batch.load(p.mass), own_K = component(i, K);
@@ -169,15 +144,15 @@ EulerianSweeps<D>::block_virial(const Particles &p, int block, const Batch &batc
     const Components<D> d = motion(i, j);
     const Pack KF = own_K * component(j, K) * load(&pairs.factor[k]);
     Pack f[D], central = 0.0;
-    if (keeps_pairs()) central = mass * whole_pull(i, j, load(&pairs.pull[k]));
+    if (keeps_pairs()) central = mass * Side::whole_pull(i, j, LAST, load(&pairs.pull[k]));
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++) {
         const int c = D * a + b;
         Pack of_both = component(i, T + c) + component(j, T + c);
         if (opt.tensile)
-          of_both += load(&pairs.crowd[k]) *
-              (component(i, at_tension + c) + component(j, at_tension + c));
+          of_both +=
+              load(&pairs.crowd[k]) * (component(i, at_tension + c) + component(j, at_tension + c));
         t += of_both * d.x[b];
       }
       f[a] = unit_factor * (KF * t - central * d.x[a]);

@@ -28,7 +28,9 @@ template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, con
   each_block([&](int block, const Batch &batch, Totals &) {
     this->pack_vectors(block, batch, X, p.x);
     this->pack_vectors(block, batch, V, v);
-    columns.store(block * LANES, VOLUME, unit_factor * batch.load(p.mass) / batch.load(p.rho_weight));
+    columns.store(block * LANES, VOLUME,
+                  unit_factor * batch.load(p.mass) / batch.load(p.rho_weight));
+    columns.copy_to_rows(block * LANES, X, MASS);
   });
   this->pack_ghosts(p, v);
   for (int i = p.nlocal; i < p.nall; i++)
@@ -38,18 +40,17 @@ template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, con
 }
 
 template <int D>
-typename EulerianSweeps<D>::Part EulerianSweeps<D>::part_of(Message what) const
-{
-  if (what == Message::STRESS) return {T, at_da - T};
-  if (what == Message::SWITCH) return {LAST, 1};
-  return {what == Message::VISCOUS ? at_da : V, D};
-}
-
-template <int D>
 void EulerianSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
 {
   Side::unpack(what, p, i, in);
   if (what == Message::STRESS && column_of[i] >= 0) p.rho[i] = in[RHO - T];
+}
+
+template <int D>
+void EulerianSweeps<D>::displace(const Particles &, int first, int n, const double *u)
+{
+  for (int k = 0; k < n; k++)
+    if (column_of[first + k] >= 0) columns.set(column_of[first + k], V, u + 3 * k, D);
 }
 
 template <int D> void EulerianSweeps<D>::mirror_stress()
@@ -62,17 +63,8 @@ template <int D> void EulerianSweeps<D>::mirror_stress()
     if (opt.tensile) this->mirror_tensor(at_tension, sign, k);
     if (at_rate < at_da) this->mirror_rate(at_rate, sign, k);
   }
-  if (needs_correction()) {
-    lonely = false;
-    for (const int column : column_of)
-      lonely = lonely || (column >= 0 && !(columns.get(column, LAST) > 0.0));
-  }
+  if (needs_correction()) this->find_lonely();
   if (keeps_pairs()) make_room(pairs.pull, pairs.factor.size());
-}
-
-template <int D> void EulerianSweeps<D>::mirror_switch()
-{
-  for (int k = 0; k < images.count(); k++) this->mirror_component(LAST, 1.0, k);
 }
 
 template <int D>
@@ -84,11 +76,10 @@ double EulerianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows
     for (int block = first; block < end; block++) {
       const Batch batch(list, block * LANES);
       const double *i = columns.at(block * LANES);
-      limit = std::min(
-          limit,
-          least(Base::step_limit(Base::smoothing_lengths(p, batch), Base::shear_moduli(p, batch),
-                                 component(i, RHO), component(i, SOUND),
-                                 load(&mu_max[block * LANES]))));
+      limit = std::min(limit,
+                       least(Base::step_limit(Base::smoothing_lengths(p, batch),
+                                              Base::shear_moduli(p, batch), component(i, RHO),
+                                              component(i, SOUND), load(&mu_max[block * LANES]))));
     }
     return limit;
   });

@@ -23,27 +23,19 @@
 
 namespace {
 
-// that of "front": the velocity gradient R of a particle predicts the jump x_ij.R x_ij of a pair
-
 template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     const double *i = columns.at(block * LANES);
-    const Pack h = Base::smoothing_lengths(p, batch);
-    const Pack least = MU_EPSILON * h * h;    // particles may meet
-    Pack rest2 = 0.0, linear2 = 0.0;
+    typename Side::Jumps jumps(i, Base::smoothing_lengths(p, batch));
     Neighbors neighbors(*this, block, X, at_da);
     for (int s = pairs.first[block]; s < pairs.first[block] + pairs.count[block]; s++) {
       const double *j = neighbors(pairs.further[s]);
-      const Components<D> d = motion(i, j);
-      const Pack li = this->stretching(i, at_rate, d.x), lj = this->stretching(j, at_rate, d.x);
-      const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
-      const Pack weight = -load(&pairs.factor[s * std::size_t(LANES)]) * component(j, VOLUME);
-      const Pack w = weight / (d.x_dot_x() + least);
-      rest2 += w * rest * rest;
-      linear2 += 0.5 * w * (li * li + lj * lj);
+      const Pack V_F = load(&pairs.factor[s * std::size_t(LANES)]) * component(j, VOLUME);
+      jumps.add(j, at_rate, -V_F);
     }
-    columns.store(block * LANES, LAST, component(i, LAST) * unresolved_share(rest2, linear2));
+    columns.store(block * LANES, LAST, component(i, LAST) * jumps.unresolved());
+    columns.copy_to_rows(block * LANES, LAST, FIXED);
   });
 }
 
@@ -86,25 +78,9 @@ template <int D> void EulerianSweeps<D>::safe_pulls(int block)
   Neighbors neighbors(*this, block, X, V + D, at_da, at_da + D);
   for (int n = 0; n < pairs.near_count[block]; n++) {
     const double *j = neighbors(pairs.further[near[n]]);
-    const Components<D> d = motion(i, j);
-    Pack a[D];
-    difference(i, j, at_da, a);
     const std::size_t k = first + n * LANES;
-    store(&pairs.near_pull[k], load(&pairs.near_weight[k]) *
-              safe_pull(dot<D>(a, d.x), d.v_dot_x(), d.x_dot_x()));
+    store(&pairs.near_pull[k], load(&pairs.near_weight[k]) * Side::safe_pull_of(i, j, at_da));
   }
-}
-
-// of the pairs that the correction must not touch since one of the two has no nearest neighbor,
-// the whole viscous force: what is left of a pair's pull there, 0 elsewhere
-
-template <int D>
-Pack EulerianSweeps<D>::whole_pull(const double *i, const double *j, Pack pull) const
-{
-  if (!needs_correction()) return pull;
-  const Pack zero(0.0);
-  const Pack both = where_positive(component(i, LAST), component(j, LAST), zero);
-  return where_positive(both, zero, pull);
 }
 
 }    // namespace

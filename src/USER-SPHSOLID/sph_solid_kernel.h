@@ -54,9 +54,9 @@ template <int D> struct CubicSpline {
     return (D == 2) ? hinv * hinv : hinv * hinv * hinv;
   }
 
-  template <class Real> static inline Real w(Real r, Real h)
+  template <class Real> static inline Real w(Real r, Real h) { return w_of_inverse(r, 1.0 / h); }
+  template <class Real> static inline Real w_of_inverse(Real r, Real hinv)
   {
-    const Real hinv = 1.0 / h;
     const Real q = r * hinv;
     const Real s = maximum(2.0 - q, Real(0.0));
     const Real t = maximum(1.0 - q, Real(0.0));
@@ -70,11 +70,21 @@ template <int D> struct CubicSpline {
   {
     // one division for 1/h and, outside q = 1, for 1/q
     const Real far = maximum(r, h), inverse = 1.0 / (h * far);
-    const Real hinv = inverse * far, q = r * hinv, s = 2.0 - q;
-    const Real inner = -3.0 + 2.25 * q;
-    const Real outer = -0.75 * s * s * (h * h * inverse);
-    const Real f = where_positive(1.0 - q, inner, outer);
-    return NORM * power(hinv) * hinv * hinv * where_positive(s, f, Real(0.0));
+    const Real hinv = inverse * far;
+    return gradient_scale(hinv) * gradient_shape(r * hinv, h * h * inverse);
+  }
+
+  // the same in two parts: what depends on h, and on q = r/h and 1/q (where q < 1 any number)
+
+  template <class Real> static inline Real gradient_scale(Real hinv)
+  {
+    return NORM * power(hinv) * hinv * hinv;
+  }
+  template <class Real> static inline Real gradient_shape(Real q, Real inverse_q)
+  {
+    const Real s = 2.0 - q;
+    const Real inner = -3.0 + 2.25 * q, outer = -0.75 * s * s * inverse_q;
+    return where_positive(s, where_positive(1.0 - q, inner, outer), Real(0.0));
   }
 };
 

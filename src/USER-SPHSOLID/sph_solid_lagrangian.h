@@ -47,25 +47,20 @@
 #ifndef LMP_SPH_SOLID_LAGRANGIAN_H
 #define LMP_SPH_SOLID_LAGRANGIAN_H
 
-#include "sph_solid_columns.h"
-#include "sph_solid_points.h"
+#include "sph_solid_column_sweeps.h"
 #include "sph_solid_slots.h"
-#include "sph_solid_space.h"
 
 #include <mutex>
-#include <utility>
-
-using namespace SPHSolid;
 
 // of one source file, sph_solid_sweeps_lagrangian.cpp.  That the compiler knows this is worth 5 %
 // of a step in two dimensions: it inlines what is called once
 
 namespace {
 
-template <int D> class LagrangianSweeps : public PointSweeps<D> {
+template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      PointSweeps<D>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
+      ColumnSweeps<D>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
       at_along(safe() ? X : at_da), at_rho(at_da + (needs_correction() ? D : 0))
   {
   }
@@ -73,62 +68,49 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   void new_neighbors(const Particles &, const NeighborRows &, double) override;
   void pack_kinematics(const Particles &, const double *const *) override;
   int gradient(const Particles &, const NeighborRows &, double) override;
-  int message_size(Message) const override;
-  void pack(Message, int, double *) const override;
-  void unpack(Message, const Particles &, int, const double *) override;
   void mirror_stress() override;
   void find_switch(const Particles &, const NeighborRows &) override;
-  void mirror_switch() override;
   void force(const Particles &, const NeighborRows &) override;
   void correction(const Particles &, const NeighborRows &) override;
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
   bool can_keep_heat() const override;
   void add_due_heat(const Particles &, const NeighborRows &) override;
-  void virial(const Particles &, const NeighborRows &, double *) override;
   void elastic_stress(const Particles &) override;
   void elastic_force(const Particles &p) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
   double scaled_time_step_limit(const Particles &, const std::vector<double> &) const override;
-  void velocity(int i, double *v) const override;
   int neighbor_count(int i) const override;
   int uncorrected() const override { return nuncorrected; }
   Overload find_overload() const override;
   double memory_usage() const override;
 
  private:
-  using Base = PointSweeps<D>;
-  using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
-      Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
-      Base::types, Base::unit_factor;
-  using Batch = typename Base::Batch;
-  using Totals = typename Base::Totals;
-  using Tensors = Tensor<D, Pack>;
+  using Base = ColumnSweeps<D>;
+  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
+      Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
+      Base::image_j, Base::images, Base::keeps_pairs, Base::lonely, Base::mirror_vectors,
+      Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt,
+      Base::own, Base::own_list, Base::particles_of, Base::repeat_last, Base::safe, Base::source_of,
+      Base::standard_power, Base::store_tensor, Base::stretching, Base::SYMMETRIC, Base::tensor,
+      Base::types, Base::unit_factor, Base::V, Base::with_rows, Base::X;
+  using typename Base::Batch, typename Base::Tensors, typename Base::Totals, typename Base::Places;
 
-  // components of a column: positions, velocities (for heat: displacements), positions in the
-  // reference, V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
-  // hourglass/2 rho c_L h, bulk sound speed, density that viscosity sees, n of the correction or the
-  // switch of a viscosity; then, if a scene needs them, the rate of deformation, the viscous
+  // components of a column behind positions and velocities: positions in the reference,
+  // V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
+  // hourglass/2 rho c_L h, bulk sound speed, density that viscosity sees, n of the correction or
+  // the switch of a viscosity; then, if a scene needs them, the rate of deformation, the viscous
   // acceleration and, where materials are unlike, the density in the reference
-  static constexpr int X = 0, V = D, REFERENCE = 2 * D, WEIGHT = 3 * D, T = WEIGHT + 1,
-                       IMPEDANCE = T + D * D, SOUND = IMPEDANCE + 1, DENSITY = SOUND + 1,
-                       LAST = DENSITY + 1, FIXED = LAST + 1, SYMMETRIC = D * (D + 1) / 2,
-                       MOST = FIXED + SYMMETRIC + D + 1;
-  static constexpr int NEXT = Columns::NEXT;
+  static constexpr int REFERENCE = 2 * D, WEIGHT = 3 * D, T = WEIGHT + 1, IMPEDANCE = T + D * D,
+                       SOUND = IMPEDANCE + 1, DENSITY = SOUND + 1, LAST = DENSITY + 1,
+                       FIXED = LAST + 1;
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
   static constexpr int at_rate = FIXED;
   const int at_da;
   const int at_along;    // what the correction's force on a pair is along
   const int at_rho;
   int components() const { return at_rho + (this->unlike ? 1 : 0); }
+  Places places() const override { return {T, LAST, at_da}; }
 
-  Columns columns;
-  // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
-  static constexpr double IN_CACHE = 512.0 * 1024.0;    // [bytes]
-  bool asks_ahead = false;
-  bool with_rows = false;        // for bodies that are no lattice
-  std::vector<int> own;          // own particles in the order of columns
-  std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
-  int end_of_own = 0, end_of_columns = 0;
   Slots slots;
   // of own particles: B on and above the diagonal, F, sum V0_j g_ij
   Rows B, F, gradient_sum;
@@ -162,23 +144,9 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   struct Arranging;
   template <class Call> void each_arranging(const Arranging &, Call);
 
-  // blocks
-  int blocks() const { return end_of_own / LANES; }
-  NeighborRows own_list() const
-  {
-    return {static_cast<int>(own.size()), const_cast<int *>(own.data()), nullptr, nullptr};
-  }
-  int particles_of(int block) const
-  {
-    return std::min(LANES, static_cast<int>(own.size()) - block * LANES);
-  }
-  template <class Call> Totals each_block(Call call);
-  // room for the components of gathered neighbors, as far apart as in columns
-  struct Scratch {
-    alignas(64) double of[(MOST + BLOCK) * NEXT];
-  };
-  // those of the slots of a block; gathered ones have components up to last only, and of the
-  // correction.  Where slots lie is not read again after stores, which a compiler would do for members
+  // a sweep's view of the columns that slots of a block read; gathered ones have components up to
+  // last only, and from the correction's on.  Where slots lie is not read again after stores, which
+  // a compiler would do for members
   class Neighbors {
    public:
     Neighbors(const LagrangianSweeps &s, int block, int up_to) :
@@ -190,13 +158,14 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     {
       const std::ptrdiff_t n = further[slot];
       if (n < Slots::GATHERED) return i + n;
-      return of.gather(&of.slots.gathered[(n - Slots::GATHERED) * LANES], last, scratch);
+      return gathered(&of.slots.gathered[(n - Slots::GATHERED) * LANES]);
     }
     // ask for what the blocks to come read of the columns that this slot reads
     template <int END> void prefetch_ahead(int slot, const double *j) const
     {
       constexpr int AHEAD = 16;
-      if (foremost[slot]) prefetch_components(j + AHEAD, std::make_integer_sequence<int, END>());
+      if (foremost[slot])
+        Base::prefetch_components(j + AHEAD, std::make_integer_sequence<int, END>());
     }
 
    private:
@@ -205,48 +174,22 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     const char *const foremost;
     const double *const i;
     const int last;
-    Scratch scratch;
-  };
-  const double *gather(const int *from, int last, Scratch &) const;
-  template <int... C>
-  static void prefetch_components(const double *at, std::integer_sequence<int, C...>)
-  {
-    (prefetch(at + C * NEXT, 1), ...);
-  }
+    typename Base::template Scratch<FIXED + SYMMETRIC + D + 1> scratch;
 
-  // of the particles of a block, or of a slot's neighbors
-  static Pack component(const double *at, int c) { return load(at + c * NEXT); }
-  static Tensors tensor(const double *at, int c)
-  {
-    Tensors t;
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) t(a, b) = component(at, c + D * a + b);
-    return t;
-  }
-  static void difference(const double *i, const double *j, int c, Pack *out)
-  {
-    for (int a = 0; a < D; a++) out[a] = component(i, c + a) - component(j, c + a);
-  }
+    // not inlined: a loop over other slots has registers for what it needs then
+    [[gnu::noinline]] const double *gathered(const int *from)
+    {
+      of.gather(from, 0, last, scratch.of);
+      of.gather(from, std::max(last, of.at_da), of.columns.components(), scratch.of);
+      return scratch.of;
+    }
+  };
   // V0_j grad_i W = this times X_ij; of the constants of a slot
   static Pack factor(const float *constants, const double *j)
   {
     return load(constants + Slots::FACTOR) * component(j, WEIGHT);
   }
   Pack factor(int slot, const double *j) const { return factor(slots.constants.of(slot), j); }
-  static Components<D> motion(const double *i, const double *j)
-  {
-    Components<D> d;
-    difference(i, j, X, d.x);
-    difference(i, j, V, d.v);
-    return d;
-  }
-  void store_tensor(int column, int c, const Tensors &t)
-  {
-    Pack components[D * D];
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) components[D * a + b] = t(a, b);
-    columns.store(column, c, components, D * D);
-  }
   static Tensors load_tensors(const Rows &of, int block)
   {
     Tensors t;
@@ -273,44 +216,6 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) store(&of[((block * D + a) * D + b) * LANES], t(a, b));
   }
-  static void add_forces(const Particles &, const Batch &, const Pack *f);
-  void pack_vectors(int block, const Batch &, int component, const double *const *of);
-  void mirror_vectors(int component);
-  int place_of(Message) const;
-  // the rate of deformation D, on and above the diagonal, twice what lies above
-  void store_rate(int column, const Tensors &L)
-  {
-    Pack components[SYMMETRIC], *to = components;
-    for (int a = 0; a < D; a++) {
-      *to++ = L(a, a);
-      for (int b = a + 1; b < D; b++) *to++ = L(a, b) + L(b, a);
-    }
-    columns.store(column, at_rate, components, SYMMETRIC);
-  }
-  // x.Dx: of one particle, or the sum of two
-  static Pack stretching(const double *i, const Pack *x)
-  {
-    return stretching(x, [=](int c) {
-      return component(i, at_rate + c);
-    });
-  }
-  static Pack stretching(const double *i, const double *j, const Pack *x)
-  {
-    return stretching(x, [=](int c) {
-      return component(i, at_rate + c) + component(j, at_rate + c);
-    });
-  }
-  template <class Rate> static Pack stretching(const Pack *x, Rate rate)
-  {
-    Pack sum = 0.0;
-    for (int a = 0, c = 0; a < D; a++) {
-      Pack t = rate(c++) * x[a];
-      for (int b = a + 1; b < D; b++) t = multiply_add(rate(c++), x[b], t);
-      sum = multiply_add(x[a], t, sum);
-    }
-    return sum;
-  }
-
   // what the pairs of a block add up to; of the work of forces without factors of the particles
   struct PairWork {
     Pack viscous, corrected, hourglass;
@@ -356,26 +261,17 @@ template <int D> class LagrangianSweeps : public PointSweeps<D> {
   Power power(int block, Pack mass, Pack V0, const Sums &) const;
   void enter_block(int block, Pack mass, int n, const Power &, Totals &) const;
   void enter_due(const Totals &late);
-  Tensors block_virial(const Particles &, int block, const Batch &) const;
+  Tensors block_virial(const Particles &, int block, const Batch &) const override;
   void prefetch_points(const Particles &, int block, const Batch &) const;
   static void repeat_last(Sums &, int n);
   template <bool LATE> int update(const Particles &, int block, const Batch &, double dt, Totals &);
   void add_late_heat(const Particles &, int block, const Batch &, const Sums &, Totals &) const;
-  Pack standard_power(const double *i, Pack mass) const;
 
   template <PairForm FORM, bool HOURGLASS> void force_blocks(const Particles &);
   template <PairForm FORM, bool HOURGLASS, bool UNLIKE> void force_each(const Particles &);
   template <PairForm FORM, bool HOURGLASS, bool UNLIKE>
   void force_block(const Particles &, int block, const Batch &, Totals &);
 
-  // the part of a pair's viscous force that is heat as it is: a compatible correction heats in a
-  // way of its own, but for pairs that it must not touch
-  Pack whole_pull(const double *i, const double *j, Pack pull) const;
-  Pack heated_pull(const double *i, const double *j, Pack pull) const
-  {
-    const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
-    return all ? pull : whole_pull(i, j, pull);
-  }
   template <bool HEATS> void correct_block(const Particles &, int block, const Batch &, Totals &);
   void find_weights();
   void safe_pulls(int block);

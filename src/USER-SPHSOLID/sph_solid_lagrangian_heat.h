@@ -41,7 +41,8 @@ inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double 
   const Pack weighted = along * component(j, WEIGHT);
   if (kept.damping) work.hourglass = multiply_add(load(kept.damping + k), weighted, work.hourglass);
   if (kept.pulls)
-    work.viscous = multiply_add(heated_pull(i, j, load(kept.pulls + k)), weighted, work.viscous);
+    work.viscous =
+        multiply_add(Base::heated_pull(i, j, LAST, load(kept.pulls + k)), weighted, work.viscous);
 }
 
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
@@ -69,16 +70,6 @@ inline Pack LagrangianSweeps<D>::corrected_power(const double *i, const double *
     sum = multiply_add(moved, acceleration, sum);
   }
   return sum;
-}
-
-// what the standard viscosity would heat, apart from pairs that are heated as they are
-
-template <int D> Pack LagrangianSweeps<D>::standard_power(const double *i, Pack mass) const
-{
-  Pack power = 0.0;
-  if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
-  for (int a = 0; a < D; a++) { power -= mass * component(i, at_da + a) * component(i, V + a); }
-  return power;
 }
 
 /* ----------------------------------------------------------------------
@@ -166,26 +157,8 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
 }
 
 /* ----------------------------------------------------------------------
-   virial, only on steps that ask for it: half of each pair's sum x_ij f_ij
+   virial: of a block sum f_ij (x) x_ij
 ------------------------------------------------------------------------- */
-
-template <int D>
-void LagrangianSweeps<D>::virial(const Particles &p, const NeighborRows &, double *six)
-{
-  const NeighborRows list = own_list();
-  Base::add_virial(blocks(), six, [&](int first, int end) {
-    typename Base::Six total = {};
-    for (int block = first; block < end; block++) {
-      const Tensors sum = block_virial(p, block, Batch(list, block * LANES));
-      for (int a = 0; a < D; a++)
-        for (int b = a; b < D; b++)
-          total[VOIGT[a][b]] += 0.5 * Base::sum_of_first(sum(b, a), particles_of(block));
-    }
-    return total;
-  });
-}
-
-// sum of f_ij (x) x_ij
 
 template <int D>
 typename LagrangianSweeps<D>::Tensors
@@ -205,7 +178,7 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
     Pack reference[D], f[D], central = 0.0;
     difference(i, j, REFERENCE, reference);
     if (opt.hourglass > 0.0) central += load(&damp[k]) * weight;
-    if (keeps_pairs()) central -= whole_pull(i, j, load(&pull[k])) * weight;
+    if (keeps_pairs()) central -= Base::whole_pull(i, j, LAST, load(&pull[k])) * weight;
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++)

@@ -490,7 +490,7 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
 {
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
   columns.resize(end_of_columns, components(), with_rows);
-  asks_ahead = columns.memory_usage() > IN_CACHE;
+  asks_ahead = columns.memory_usage() > Base::IN_CACHE;
   slots.further.resize(slots.first.back());
   slots.foremost.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);

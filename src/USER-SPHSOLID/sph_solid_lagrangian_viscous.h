@@ -23,28 +23,17 @@
 
 namespace {
 
-// that of "front" is how much of the deformation of a particle is compression, known from its
-// own velocity gradient, times how much of the motion around it is not resolved
-
 template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const NeighborRows &)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     const double *i = columns.at(block * LANES);
-    const Pack h = Base::smoothing_lengths(p, batch);
-    const Pack least = MU_EPSILON * h * h;    // particles may meet
-    Pack rest2 = 0.0, linear2 = 0.0;
+    typename Base::Jumps jumps(i, Base::smoothing_lengths(p, batch));
     Neighbors neighbors(*this, block, at_da);
     for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
       const double *j = neighbors(s);
-      const Components<D> d = motion(i, j);
-      const Pack li = stretching(i, d.x), lj = stretching(j, d.x);
-      const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
-      const Pack w = -factor(s, j) / (d.x_dot_x() + least);
-      rest2 += w * rest * rest;
-      linear2 += 0.5 * w * (li * li + lj * lj);
+      jumps.add(j, at_rate, -factor(s, j));
     }
-    const Pack share = unresolved_share(rest2, linear2);
-    columns.store(block * LANES, LAST, component(i, LAST) * share);
+    columns.store(block * LANES, LAST, component(i, LAST) * jumps.unresolved());
     columns.copy_to_rows(block * LANES, LAST, FIXED);
   });
 }
@@ -101,7 +90,7 @@ void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Bat
     power = multiply_add(w, of_pair, power);
   }
   for (int a = 0; a < D; a++) f[a] *= 0.5 * mass;
-  add_forces(p, batch, f);
+  Base::add_forces(p, batch, f);
   if (!HEATS) return;
   const Pack heat = -0.25 * mass * power;
   store(&early[block * LANES], load(&early[block * LANES]) + heat);
@@ -145,24 +134,8 @@ template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
   Neighbors neighbors(*this, block, T);
   for (int n = 0; n < slots.nearest(block); n++, pulls += LANES) {
     const double *j = neighbors(slots.first[block] + n);
-    const Components<D> d = motion(i, j);
-    Pack a[D], ax = 0.0;
-    difference(i, j, at_da, a);
-    for (int k = 0; k < D; k++) ax = multiply_add(a[k], d.x[k], ax);
-    store(pulls, load(near.of(n)) * safe_pull(ax, d.v_dot_x(), d.x_dot_x()));
+    store(pulls, load(near.of(n)) * Base::safe_pull_of(i, j, at_da));
   }
-}
-
-// of the pairs that the correction must not touch since one of the two has no nearest partner,
-// the whole viscous force: what is left of a pair's pull there, 0 elsewhere
-
-template <int D>
-Pack LagrangianSweeps<D>::whole_pull(const double *i, const double *j, Pack pull) const
-{
-  if (!needs_correction()) return pull;
-  const Pack zero(0.0);
-  const Pack both = where_positive(component(i, LAST), component(j, LAST), zero);
-  return where_positive(both, zero, pull);
 }
 
 }    // namespace

@@ -63,39 +63,45 @@ inline int whole_vectors(int n)
 
 #ifdef SPHSOLID_PORTABLE_VECTOR
 
-struct Native {
-  double lane[LANES];
-  double &operator[](int k) { return lane[k]; }
-  double operator[](int k) const { return lane[k]; }
+template <class T> struct PortableVector {
+  T lane[LANES];
+  T &operator[](int k) { return lane[k]; }
+  T operator[](int k) const { return lane[k]; }
 };
+typedef PortableVector<double> Native;
+typedef PortableVector<float> NativeSingle;
 
-template <class F> inline Native each_lane(F f)
+template <class T = double, class F> inline PortableVector<T> each_lane(F f)
 {
-  Native out;
+  PortableVector<T> out;
   for (int k = 0; k < LANES; k++) out.lane[k] = f(k);
   return out;
 }
-inline Native operator+(const Native &a, const Native &b)
+template <class T>
+inline PortableVector<T> operator+(const PortableVector<T> &a, const PortableVector<T> &b)
 {
-  return each_lane([&](int k) {
+  return each_lane<T>([&](int k) {
     return a[k] + b[k];
   });
 }
-inline Native operator-(const Native &a, const Native &b)
+template <class T>
+inline PortableVector<T> operator-(const PortableVector<T> &a, const PortableVector<T> &b)
 {
-  return each_lane([&](int k) {
+  return each_lane<T>([&](int k) {
     return a[k] - b[k];
   });
 }
-inline Native operator*(const Native &a, const Native &b)
+template <class T>
+inline PortableVector<T> operator*(const PortableVector<T> &a, const PortableVector<T> &b)
 {
-  return each_lane([&](int k) {
+  return each_lane<T>([&](int k) {
     return a[k] * b[k];
   });
 }
-inline Native operator/(const Native &a, const Native &b)
+template <class T>
+inline PortableVector<T> operator/(const PortableVector<T> &a, const PortableVector<T> &b)
 {
-  return each_lane([&](int k) {
+  return each_lane<T>([&](int k) {
     return a[k] / b[k];
   });
 }
@@ -157,6 +163,31 @@ template <int i, int j, int k, int l> inline Native native_shuffle(const Native 
   return each_lane([&](int n) {
     const int m = from[n % BLOCK], block = n / BLOCK * BLOCK;
     return m < BLOCK ? a[block + m] : b[block + m - BLOCK];
+  });
+}
+
+inline NativeSingle native_single_all(float a)
+{
+  return each_lane<float>([&](int) {
+    return a;
+  });
+}
+inline NativeSingle narrowed(const Native &a)
+{
+  return each_lane<float>([&](int k) {
+    return static_cast<float>(a[k]);
+  });
+}
+inline Native widened(const NativeSingle &a)
+{
+  return each_lane([&](int k) {
+    return static_cast<double>(a[k]);
+  });
+}
+inline NativeSingle native_square_root(const NativeSingle &a)
+{
+  return each_lane<float>([&](int k) {
+    return std::sqrt(a[k]);
   });
 }
 
@@ -242,6 +273,44 @@ inline Native native_maximum(Native a, Native b)
   return _mm512_maskz_max_pd(0xFF, a, b);
 #else
   return a > b ? a : b;
+#endif
+}
+
+typedef float NativeSingle __attribute__((vector_size(LANES * sizeof(float))));
+
+inline NativeSingle native_single_all(float a)
+{
+  return a - NativeSingle{};
+}
+// GCC 12 converts eight numbers in halves
+#ifdef SPHSOLID_AVX512
+inline Native widened(NativeSingle n)
+{
+  return _mm512_maskz_cvtps_pd(0xFF, n);
+}
+inline NativeSingle narrowed(Native n)
+{
+  return _mm512_maskz_cvtpd_ps(0xFF, n);
+}
+#else
+inline Native widened(NativeSingle n)
+{
+  return __builtin_convertvector(n, Native);
+}
+inline NativeSingle narrowed(Native n)
+{
+  return __builtin_convertvector(n, NativeSingle);
+}
+#endif
+inline NativeSingle native_square_root(NativeSingle a)
+{
+#if defined(__AVX__) && SPHSOLID_LANES == 8
+  return _mm256_sqrt_ps(a);
+#elif defined(__AVX__)
+  return _mm_sqrt_ps(a);
+#else
+  for (int k = 0; k < LANES; k++) a[k] = std::sqrt(a[k]);
+  return a;
 #endif
 }
 

@@ -15,9 +15,8 @@
    What the sweeps of both frames do with particles, as opposed to pairs: the
    constitutive update of some at a time, the energy ledger, the time step.
 
-   A frame fills in how pairs are stored and summed: in rows of one particle
-   (sph_solid_eulerian.h), or in columns of several particles
-   (sph_solid_lagrangian.h).
+   A frame fills in which particles are pairs (sph_solid_eulerian.h,
+   sph_solid_lagrangian.h); how they lie in memory is the same (sph_solid_column_sweeps.h).
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_POINTS_H
@@ -175,11 +174,6 @@ template <int D> class PointSweeps : public Sweeps {
     void store_each(double *array, Pack v) const
     {
       for (int m = 0; m < n; m++) array[i[m]] = v[m];
-    }
-    // blocks of particles m and, with eight lanes, m + 4, m = 0 to 3, in an array of rows
-    Addresses rows(const double *array, int m, int stride) const
-    {
-      return Addresses(array, i + m, stride);
     }
   };
   // the type that all particles of a batch have, or -1

@@ -40,8 +40,8 @@ template <int D> constexpr double LEAST_MOMENT = 0.8 / (1 << D);
    gradient sweep
 ------------------------------------------------------------------------- */
 
-// of a thread: where the next block's slots with pairs begin; distances of the pairs of a block and,
-// where they differ, smoothing lengths
+// of a thread: where the next block's slots with pairs begin; of the pairs of a block r^2, then r/h, and
+// where they differ smoothing lengths
 
 template <int D> struct EulerianSweeps<D>::Finding {
   int slot, near;
@@ -92,7 +92,8 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
     const Pack h = mean_h<UNIFORM>(i, j);
     const Pack range2 = UNIFORM ? common_range2 : range_of(h, near_of<UNIFORM>(j));
     unsigned inside = positive_lanes(range2 - r2) & lanes[c];
-    if (mirrored[c]) inside &= positive_lanes(r2 - 4.0 * COINCIDE * COINCIDE * h * h);    // not itself
+    if (mirrored[c])
+      inside &= positive_lanes(r2 - 4.0 * COINCIDE * COINCIDE * h * h);    // not itself
     if (!inside) continue;
     store(distance, where_lanes(inside, r2, BEYOND * range2));
     distance += LANES;
@@ -109,22 +110,27 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
   found.slot = n;
 }
 
-// kernel gradients of the pairs of a block, and r in place of r^2: grad_i W = F (x_i - x_j), stored is
+// kernel gradients of the pairs of a block, and r/h in place of r^2: grad_i W = F (x_i - x_j), stored is
 // F h0^(D+2).  A short loop of its own, so that the processor has many roots and divisions on the way
 
 template <int D>
 template <bool UNIFORM>
 void EulerianSweeps<D>::find_factors(int block, Finding &found)
 {
+  using Kernel = CubicSpline<D>;
+  constexpr double LEAST_Q2 = 1.0e-30;    // of particles that meet
   const double per_unit = 1.0 / unit_factor;
-  const Pack same_h(common_h);
+  const Pack common_inverse(1.0 / common_h),
+      common_scale = per_unit * Kernel::gradient_scale(common_inverse);
   float *factors = &pairs.factor[pairs.first[block] * std::size_t(LANES)];
   double *distance = found.distance.data();
   const double *length = found.length.data();
   for (int k = 0; k < pairs.count[block] * LANES; k += LANES) {
-    const Pack r = square_root(load(distance + k)), h = UNIFORM ? same_h : load(length + k);
-    store_rounded(factors + k, per_unit * CubicSpline<D>::gradient_factor(r, h));
-    store(distance + k, r);
+    const Pack hinv = UNIFORM ? common_inverse : 1.0 / load(length + k);
+    const RootAndInverse q(maximum(load(distance + k) * (hinv * hinv), Pack(LEAST_Q2)));
+    const Pack scale = UNIFORM ? common_scale : per_unit * Kernel::gradient_scale(hinv);
+    store_rounded(factors + k, scale * Kernel::gradient_shape(q.root, q.inverse));
+    store(distance + k, q.root);
   }
 }
 
@@ -134,7 +140,8 @@ template <int D>
 template <bool UNIFORM>
 typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Finding &found)
 {
-  const double *i = columns.at(block * LANES), *distance = found.distance.data();
+  const double *i = columns.at(block * LANES), *length = found.length.data();
+  const double *q = found.distance.data();
   const int first = pairs.first[block], count = pairs.count[block];
   const std::ptrdiff_t *further = pairs.further.data() + first;
   const float *factors = &pairs.factor[first * std::size_t(LANES)];
@@ -142,7 +149,7 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   int near = found.near;
   int *nearest = pairs.near.data();
   double *weights = pairs.near_weight.data();
-  const Pack own_near = near_of<UNIFORM>(i);
+  const Pack own_near = near_of<UNIFORM>(i), common_hbar_inverse(2.0 / common_near);
   TensorSums<D> moment, velocity;
   Pack nsum = 0.0;
   Neighbors neighbors(*this, block, X, T, at_h, components());
@@ -155,9 +162,12 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
     moment.add_symmetric(d.x, g);
     velocity.add(d.v, g);
     if (!correct) continue;
-    const Pack r = load(distance + s * LANES), near_j = near_of<UNIFORM>(j);
-    if (!positive_lanes(0.5 * (own_near + near_j) - r)) continue;
-    const Pack m_wbar = Base::wbar_mass(r, component(j, MASS), own_near, near_j);
+    const Pack h = UNIFORM ? Pack(common_h) : load(length + s * LANES);
+    const Pack r = load(q + s * LANES) * h;
+    const Pack support = UNIFORM ? own_near : 0.5 * (own_near + near_of<UNIFORM>(j));
+    if (!positive_lanes(support - r)) continue;
+    const Pack hbar_inverse = UNIFORM ? common_hbar_inverse : 2.0 / support;
+    const Pack m_wbar = component(j, MASS) * CubicSpline<D>::w_of_inverse(r, hbar_inverse);
     store(weights + near * std::size_t(LANES), m_wbar);
     nearest[near++] = first + s;
     nsum += m_wbar;
@@ -234,13 +244,14 @@ int EulerianSweeps<D>::update(const Particles &p, int block, const Batch &batch,
   auto weighted = [&](const Tensors &sigma) {
     return opt.corrected ? Tensors(sigma * B.transpose()) : Tensors(sigma * inv_rho2);
   };
-  Pack last = sums.nsum;
+  Pack last = where_positive(sums.nsum, 1.0 / sums.nsum, Pack(0.0));
   if (needs_switch(form)) last = Base::own_switch(rate, c, Base::smoothing_lengths(p, batch));
   this->store_tensor(column, T, weighted(points.sigma));
   const Pack state[] = {opt.corrected ? mass / rho : mass, rho, c, last};
   columns.store(column, K, state, 4);
   if (needs_rates(form)) this->store_rate(column, at_rate, rate);
   if (opt.tensile) this->store_tensor(column, at_tension, weighted(tension_stress(points.sigma)));
+  columns.copy_to_rows(column, T, at_da);
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + moment.sum());
 }
 
@@ -283,7 +294,7 @@ template <int D> template <PairForm FORM> void EulerianSweeps<D>::force_blocks(c
       opt.tensile, uniform);
 }
 
-// f_i = K_i sum_j K_j (T_i + T_j) g_ij - m_i sum_j m_j Pi_ij g_ij, g = F x_ij
+// f_i = K_i sum_j K_j (T_i + T_j) g_ij - m_i sum_j m_j Pi_ij g_ij, g = F x_ij; T_i sum K_j g_ij comes last
 
 template <int D>
 template <PairForm FORM, bool TENSILE, bool UNIFORM>
@@ -302,9 +313,9 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
             *near_end = near + pairs.near_count[block];
   const double a1 = opt.a1, a2 = opt.a2;
   const Pack zero(0.0), one(1.0);
-  Pack stress[D], viscous[D], whole[D], mu_least = zero;    // sums over pairs
+  Pack stress[D], g[D], crowded_g[D], viscous[D], whole[D], mu_least = zero;    // sums over pairs
   each_index<D>([&](auto a) {
-    stress[a] = viscous[a] = whole[a] = zero;
+    stress[a] = g[a] = crowded_g[a] = viscous[a] = whole[a] = zero;
   });
   Neighbors neighbors(*this, block, 0, at_da, at_h, components());
 
@@ -312,7 +323,7 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
     const int k = s * LANES;
     const double *j = neighbors(further[s]);
     const Components<D> d = motion(i, j);
-    const Pack F = load(factors + k), K_j = component(j, K);
+    const Pack F = load(factors + k);
     const Pack h = mean_h<UNIFORM>(i, j);
     Pack r2 = zero, fn = zero;
     if (VISCOUS || TENSILE) r2 = d.x_dot_x();
@@ -321,18 +332,19 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
       fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
       store(crowds + k, fn);
     }
-    const Pack KF = K_j * F;
+    const Pack KF = component(j, K) * F, crowded_KF = fn * KF;
     each_index<D>([&](auto a) {
-      Pack t = zero;
-      each_index<D>([&](auto b) {
-        constexpr int c = D * a + b;
-        Pack of_both = component(i, T + c) + component(j, T + c);
-        if (TENSILE)
-          of_both = multiply_add(
-              fn, component(i, at_tension + c) + component(j, at_tension + c), of_both);
-        t = b == 0 ? of_both * d.x[b] : multiply_add(of_both, d.x[b], t);
-      });
+      Pack t = component(j, T + D * a) * d.x[0], r = zero;
+      if (TENSILE) r = component(j, at_tension + D * a) * d.x[0];
+      for (int b = 1; b < D; b++) {
+        t = multiply_add(component(j, T + D * a + b), d.x[b], t);
+        if (TENSILE) r = multiply_add(component(j, at_tension + D * a + b), d.x[b], r);
+      }
       stress[a] = multiply_add(KF, t, stress[a]);
+      g[a] = multiply_add(KF, d.x[a], g[a]);
+      if (!TENSILE) return;
+      stress[a] = multiply_add(crowded_KF, r, stress[a]);
+      crowded_g[a] = multiply_add(crowded_KF, d.x[a], crowded_g[a]);
     });
     if (!VISCOUS) continue;
 
@@ -341,24 +353,23 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
     const Pack on = needs_switch(FORM) ? 0.5 * (component(i, LAST) + component(j, LAST)) : one;
     Pack vr = d.v_dot_x();
     if (RATES)
-      vr = jump_left<FORM>(vr, this->stretching(i, at_rate, d.x),
-                           this->stretching(j, at_rate, d.x), on);
-    const Pack mu = where_positive(-F, approach_rate(vr, r2, h), zero);
-    const Pack mass = opt.corrected ? K_j * component(j, RHO) : K_j;    // K is V or m
-    Pack q = mass * monaghan_pi(a1, a2, c, rho, mu) * F;
+      vr = jump_left<FORM>(vr, this->stretching(i, at_rate, d.x), this->stretching(j, at_rate, d.x),
+                           on);
+    const PairViscosity<Pack> viscosity(a1, a2, c, rho, vr, r2, h);
+    Pack q = component(j, MASS) * viscosity.Pi * F;
     if (FORM == PairForm::SWITCHED) q *= on;
     if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
     if (alone) {
-      const Pack left = whole_pull(i, j, q);
+      const Pack left = Side::whole_pull(i, j, LAST, q);
       d.add_to(whole, -left);
       q -= left;
     }
     d.add_to(viscous, -q);
-    mu_least = minimum(mu_least, mu);
+    mu_least = minimum(mu_least, where_positive(-F, viscosity.mu, zero));
     if (near != near_end && *near == first + s) {    // m_j Wbar_ij becomes a weight
-      const Pack m_wbar = load(weights);
-      const Pack w = correction_weight(opt.weights, m_wbar, component(i, LAST), component(j, LAST));
-      store(weights, where_positive(m_wbar, w, zero));
+      store(weights,
+            correction_weight_of_inverse(opt.weights, load(weights), component(i, LAST),
+                                         component(j, LAST)));
       weights += LANES;
       near++;
     }
@@ -367,12 +378,20 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
   const Pack of_stress = unit_factor * component(i, K), of_mass = unit_factor * batch.load(p.mass);
   Pack f[D], acceleration[D];
   each_index<D>([&](auto a) {
-    f[a] = of_stress * stress[a];
+    f[a] = stress[a];
+    for (int b = 0; b < D; b++) {
+      f[a] = multiply_add(component(i, T + D * a + b), g[b], f[a]);
+      if (TENSILE) f[a] = multiply_add(component(i, at_tension + D * a + b), crowded_g[b], f[a]);
+    }
+    f[a] *= of_stress;
     if (VISCOUS) f[a] = multiply_add(of_mass, correct ? whole[a] : viscous[a], f[a]);
     acceleration[a] = unit_factor * viscous[a];
   });
   this->add_forces(p, batch, f);
-  if (VISCOUS && correct) columns.store(block * LANES, at_da, acceleration, D);
+  if (VISCOUS && correct) {
+    columns.store(block * LANES, at_da, acceleration, D);
+    columns.copy_to_rows(block * LANES, at_da, at_da + D);
+  }
   if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
 }
 

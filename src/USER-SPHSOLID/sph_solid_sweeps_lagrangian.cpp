@@ -81,38 +81,13 @@ int LagrangianSweeps<D>::gradient(const Particles &p, const NeighborRows &, doub
   return bad;
 }
 
-// call(block, its particles, totals); the totals of all blocks
-
-template <int D>
-template <class Call>
-typename LagrangianSweeps<D>::Totals LagrangianSweeps<D>::each_block(Call call)
-{
-  const NeighborRows list = own_list();
-  return join_shares(
-      nthreads, blocks(), Totals(),
-      [&](int first, int end) {
-        Totals totals;
-        for (int block = first; block < end; block++)
-          call(block, Batch(list, block * LANES), totals);
-        return totals;
-      },
-      Totals::add);
-}
-
 // behind the last particle the last one again
 
 template <int D> void LagrangianSweeps<D>::repeat_last(Sums &sums, int n)
 {
-  auto repeat = [n](Pack &v) {
-    const double last = v[n - 1];
-    v = where_positive(first_lanes(n), v, Pack(last));
-  };
-  for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++) {
-      repeat(sums.displacement(a, b));
-      repeat(sums.velocity(a, b));
-    }
-  for (Pack *of : {&sums.work.viscous, &sums.work.corrected, &sums.work.hourglass}) repeat(*of);
+  for (Tensors *of : {&sums.displacement, &sums.velocity}) Base::repeat_last(*of, n);
+  for (Pack *of : {&sums.work.viscous, &sums.work.corrected, &sums.work.hourglass})
+    Base::repeat_last(*of, n);
 }
 
 // constitutive update of a block and what their neighbors read; the
@@ -156,7 +131,7 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   const bool switched = needs_switch(pair_form(opt.viscosity));
   if (keeps_rates() || switched) {
     const Tensors present = rate * inverse;    // velocity gradient at the end of the step
-    if (keeps_rates()) store_rate(column, present);
+    if (keeps_rates()) Base::store_rate(column, at_rate, present);
     if (switched) columns.store(column, LAST, Base::own_switch(present, c, h));
   }
   columns.copy_to_rows(column, T, at_da);
@@ -276,10 +251,10 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const Pack inv_r2 = UNLIKE ? inverse * sums : inverse;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {
-      li = stretching(i, d.x);
-      lj = stretching(j, d.x);
+      li = stretching(i, at_rate, d.x);
+      lj = stretching(j, at_rate, d.x);
     } else if (RATES)
-      li = stretching(i, j, d.x);
+      li = stretching(i, j, at_rate, d.x);
     if (HOURGLASS) {
       Pack impedance = impedances;
       if (UNLIKE)
@@ -307,9 +282,9 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       const Pack per_weight = Pi * (f * dot<D>(X, X)) * inv_r2;
       if (keep) store(pulls + k, per_weight);
       const Pack q = weight * per_weight;    // V0_j Pi G
-      if (keep) viscous_power = multiply_add(heated_pull(i, j, q), vr, viscous_power);
+      if (keep) viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
       if (alone) {
-        const Pack whole = whole_pull(i, j, q);
+        const Pack whole = Base::whole_pull(i, j, LAST, q);
         d.add_to(central, -whole);
         d.add_to(replaced, q - whole);
       } else
@@ -338,7 +313,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     columns.store(block * LANES, at_da, acceleration, D);
   }
   columns.copy_to_rows(block * LANES, at_da, columns.components());
-  add_forces(p, batch, force);
+  Base::add_forces(p, batch, force);
   if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
   if (!this->keeps_heat) return;
   const Pack viscous_heat = 0.5 * V0 * viscous_power, hourglass_heat = -0.5 * V0 * hourglass_power;
@@ -347,14 +322,6 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   totals.viscous += viscous;
   totals.standard += viscous;
   totals.hourglass += Base::sum_of_first(hourglass_heat, batch.n);
-}
-
-template <int D>
-void LagrangianSweeps<D>::add_forces(const Particles &p, const Batch &batch, const Pack *f)
-{
-  if (batch.consecutive) return add_components<D>(p.f[batch.i[0]], f);
-  for (int m = 0; m < batch.n; m++)
-    for (int a = 0; a < D; a++) p.f[batch.i[m]][a] += f[a][m];
 }
 
 }    // namespace

@@ -57,6 +57,18 @@ template <class Real> inline Real monaghan_pi(double a1, double a2, Real c, Real
   return mu * (mu * a2 - c * a1) / rho;
 }
 
+// both of a pair with one division, which is most of their time
+
+template <class Real> struct PairViscosity {
+  Real mu, Pi;
+  PairViscosity(double a1, double a2, Real c, Real rho, Real vr, Real r2, Real h)
+  {
+    const Real softened = r2 + h * h * MU_EPSILON, inverse = 1.0 / (softened * rho);
+    mu = h * minimum(vr, Real{}) * (rho * inverse);
+    Pi = mu * (mu * a2 - c * a1) * (softened * inverse);
+  }
+};
+
 // share of the linear part of a velocity jump that is taken off before it is
 // called a shock: van Leer's limiter of the jumps l_i, l_j that the velocity
 // gradients of the two particles predict, 4r/(1+r)^2 with r = l_i/l_j, zero for
@@ -138,6 +150,14 @@ inline Real correction_weight(Weights weights, Real m_wbar, Real n_i, Real n_j)
 {
   if (weights == Weights::SHEPARD) return m_wbar / n_i;
   return m_wbar / maximum(n_i, n_j);
+}
+
+// the same of 1/n, which takes no division of each pair
+
+template <class Real>
+inline Real correction_weight_of_inverse(Weights weights, Real m_wbar, Real inv_n_i, Real inv_n_j)
+{
+  return m_wbar * (weights == Weights::SHEPARD ? inv_n_i : minimum(inv_n_i, inv_n_j));
 }
 
 // weights safe: of the pair force that the correction leaves, only the part along the

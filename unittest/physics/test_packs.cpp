@@ -39,6 +39,15 @@ TEST(Packs, ArePositiveIfAllLanesAre)
   for (unsigned set = 0; set <= all; set++) EXPECT_EQ(all_positive(positive_in(set)), set == all);
 }
 
+TEST(Packs, RootsAndTheirInverses)
+{
+  for (double x = 1e-30; x < 1e30; x *= 1.37) {
+    const RootAndInverse of(x);
+    EXPECT_NEAR(of.root[0], std::sqrt(x), 0x1p-46 * std::sqrt(x));
+    EXPECT_NEAR(of.inverse[LANES - 1], 1.0 / std::sqrt(x), 0x1p-46 / std::sqrt(x));
+  }
+}
+
 // 1 + 2^-30 squared less 1: with one rounding or two, alike in both
 
 TEST(Packs, MultiplyAddsAsNumbersDo)
