@@ -122,7 +122,7 @@ void EulerianSweeps<D>::find_factors(int block, Finding &found)
   const double per_unit = 1.0 / unit_factor;
   const Pack common_inverse(1.0 / common_h),
       common_scale = per_unit * Kernel::gradient_scale(common_inverse);
-  float *factors = &pairs.factor[pairs.first[block] * std::size_t(LANES)];
+  float *factors = pairs.factor.data() + pairs.first[block] * std::size_t(LANES);
   double *distance = found.distance.data();
   const double *length = found.length.data();
   for (int k = 0; k < pairs.count[block] * LANES; k += LANES) {
@@ -144,7 +144,7 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   const double *q = found.distance.data();
   const int first = pairs.first[block], count = pairs.count[block];
   const std::ptrdiff_t *further = pairs.further.data() + first;
-  const float *factors = &pairs.factor[first * std::size_t(LANES)];
+  const float *factors = pairs.factor.data() + first * std::size_t(LANES);
   const bool correct = needs_correction();
   int near = found.near;
   int *nearest = pairs.near.data();
