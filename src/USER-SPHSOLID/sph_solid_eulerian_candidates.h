@@ -87,40 +87,44 @@ template <int D> void EulerianSweeps<D>::place_columns(const Particles &p, const
 {
   struct Place {
     std::int64_t key;
-    double x[D];
     int row;
-    bool operator<(const Place &b) const
-    {
-      if (key != b.key) return key < b.key;
-      for (int a = 0; a < D; a++)    // periodic images have one ID
-        if (x[a] != b.x[a]) return x[a] < b.x[a];
-      return row < b.row;
-    }
+  };
+  auto position = [&](int row) {
+    const double *x = p.x[source_of(row)];
+    std::array<double, D> at;
+    if (row < p.nall)
+      std::copy_n(x, D, at.data());
+    else
+      images.template position<D>(row - p.nall, x, at.data());
+    return at;
+  };
+  auto before = [&](const Place &a, const Place &b) {
+    if (a.key != b.key) return a.key < b.key;
+    const auto x = position(a.row), y = position(b.row);    // periodic images have one ID
+    return x != y ? x < y : a.row < b.row;
   };
   double width = NO_LIMIT;
   for (const TypeData &type : types)
     if (type.h > 0.0) width = std::min(width, type.spacing);
   std::vector<Place> places;
+  places.reserve(p.nall + images.count());
   auto add = [&](int row) {
     const int i = source_of(row);
-    Place place;
-    std::copy_n(p.x[i], D, place.x);
-    if (row >= p.nall) images.template position<D>(row - p.nall, p.x[i], place.x);
-    place.row = row;
-    place.key = p.id ? p.id[i] : i;
+    std::int64_t key = p.id ? p.id[i] : i;
     if (by_position) {
       // rows along x, a spacing wide.  Of a lattice none is where rounding decides
-      place.key = 0;
-      for (int a = D - 1; a > 0; a--)
-        place.key = place.key * (1 << 20) + std::llround(place.x[a] / width + 0.25);
+      const auto x = position(row);
+      key = 0;
+      for (int a = D - 1; a > 0; a--) key = key * (1 << 20) + std::llround(x[a] / width + 0.25);
     }
-    places.push_back(place);
+    places.push_back({key, row});
   };
   for (int ii = 0; ii < list.inum; ii++) add(list.ilist[ii]);
   for (int i = p.nlocal; i < p.nall; i++)
     if (Base::has_material(p, i)) add(i);
   for (int k = 0; k < images.count(); k++) add(p.nall + k);
-  if (!std::is_sorted(places.begin(), places.end())) std::sort(places.begin(), places.end());
+  if (!std::is_sorted(places.begin(), places.end(), before))
+    std::sort(places.begin(), places.end(), before);
 
   column_of.assign(p.nall + images.count(), -1);
   own.clear();
@@ -184,6 +188,20 @@ template <int D> struct EulerianSweeps<D>::Arranging {
         add(of.image_first[i + 1] - of.image_first[i], of.image_j.data() + of.image_first[i]);
       std::sort(lane[m].begin(), lane[m].end());
     }
+  }
+
+  // for twice as many slots as candidates would fill, of which the system gives as much as is written
+  // to: vectors that grow need room for both
+  void make_room(int first, int end)
+  {
+    std::size_t n = 0;
+    for (int block = first; block < end; block++)
+      for (int m = 0; m < of.particles_of(block); m++)
+        n += list.numneigh[of.own[block * LANES + m]];
+    n = 2 * n / LANES;
+    found.further.reserve(n);
+    found.lanes.reserve(n);
+    found.mirrored.reserve(n);
   }
 
   // append the slots of a block
@@ -264,6 +282,7 @@ void EulerianSweeps<D>::arrange_candidates(const Particles &p, const NeighborRow
   std::vector<Candidates> shares(nthreads);
   const int number = number_shares(nthreads, blocks(), [&](int share, int first, int end) {
     Arranging arranging(*this, list);
+    arranging.make_room(first, end);
     for (int block = first; block < end; block++) arranging.arrange(block);
     shares[share] = std::move(arranging.found);
   });
