@@ -43,21 +43,8 @@ static constexpr double MU_EPSILON = 0.01;
 
 // The following take numbers or vectors of them (sph_solid_vector.h) as Real.
 
-// mu_ij of eq. 24, zero for a separating pair; vr = v_ij . r_ij, r2 = r_ij^2
-
-template <class Real> inline Real approach_rate(Real vr, Real r2, Real h)
-{
-  return h * minimum(vr, Real{}) / (r2 + h * h * MU_EPSILON);
-}
-
-// Pi_ij of eq. 23 [pressure/density^2]; mu <= 0, c and rho are pair means
-
-template <class Real> inline Real monaghan_pi(double a1, double a2, Real c, Real rho, Real mu)
-{
-  return mu * (mu * a2 - c * a1) / rho;
-}
-
-// both of a pair with one division, which is most of their time
+// mu_ij of eq. 24 [velocity], zero for a separating pair, and Pi_ij of eq. 23 [pressure/density^2];
+// vr = v_ij . r_ij, r2 = r_ij^2, c and rho are pair means.  One division for both
 
 template <class Real> struct PairViscosity {
   Real mu, Pi;

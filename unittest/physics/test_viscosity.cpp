@@ -8,35 +8,46 @@
 
 using namespace SPHSolid;
 
+namespace {
+
+// a1 = 2, a2 = 4, c = 5, rho = 2
+
+PairViscosity<double> pair(double vr, double r2, double h)
+{
+  return {2.0, 4.0, 5.0, 2.0, vr, r2, h};
+}
+
+}    // namespace
+
 // v.r = -6, r^2 = 4, h = 2: mu = 2(-6)/(4 + 0.01 4) = -2.970297...
 
 TEST(Viscosity, ApproachRateByHand)
 {
-  EXPECT_DOUBLE_EQ(approach_rate(-6.0, 4.0, 2.0), -12.0 / 4.04);
+  EXPECT_DOUBLE_EQ(pair(-6.0, 4.0, 2.0).mu, -12.0 / 4.04);
 }
 
 TEST(Viscosity, SeparatingPairFeelsNothing)
 {
-  EXPECT_EQ(approach_rate(6.0, 4.0, 2.0), 0.0);
-  EXPECT_EQ(monaghan_pi(1.0, 1.0, 5.0, 3.0, approach_rate(6.0, 4.0, 2.0)), 0.0);
+  EXPECT_EQ(pair(6.0, 4.0, 2.0).mu, 0.0);
+  EXPECT_EQ(pair(6.0, 4.0, 2.0).Pi, 0.0);
 }
 
 TEST(Viscosity, FiniteWhenParticlesMeet)
 {
-  EXPECT_DOUBLE_EQ(approach_rate(-1.0, 0.0, 2.0), -50.0);
+  EXPECT_DOUBLE_EQ(pair(-1.0, 0.0, 2.0).mu, -50.0);
 }
 
-// mu = -3, c = 5, rho = 2: (2 5 3 + 4 9)/2 = 33
+// h = 1, r^2 = 0.99: mu = v.r = -3, and Pi = (2 5 3 + 4 9)/2 = 33
 
 TEST(Viscosity, PiByHand)
 {
-  EXPECT_DOUBLE_EQ(monaghan_pi(2.0, 4.0, 5.0, 2.0, -3.0), 33.0);
+  EXPECT_DOUBLE_EQ(pair(-3.0, 0.99, 1.0).Pi, 33.0);
 }
 
 TEST(Viscosity, PiRepels)
 {
-  EXPECT_GT(monaghan_pi(1.0, 0.0, 5.0, 2.0, -1e-3), 0.0);
-  EXPECT_GT(monaghan_pi(0.0, 1.0, 5.0, 2.0, -1e-3), 0.0);
+  EXPECT_GT(PairViscosity<double>(1.0, 0.0, 5.0, 2.0, -1e-3, 1.0, 1.0).Pi, 0.0);
+  EXPECT_GT(PairViscosity<double>(0.0, 1.0, 5.0, 2.0, -1e-3, 1.0, 1.0).Pi, 0.0);
 }
 
 // momentum of the correction: m_i w_ij = m_j w_ji for any two particles
@@ -57,4 +68,12 @@ TEST(Viscosity, RowSumAtMostOne)
   EXPECT_DOUBLE_EQ(correction_weight(Weights::CONSERVATIVE, 1.2, 3.0, 2.0), 0.4);
   EXPECT_DOUBLE_EQ(correction_weight(Weights::CONSERVATIVE, 1.2, 3.0, 4.0), 0.3);
   EXPECT_DOUBLE_EQ(correction_weight(Weights::SHEPARD, 1.2, 3.0, 4.0), 0.4);
+}
+
+TEST(Viscosity, WeightsOfInversesAreTheSame)
+{
+  for (const Weights weights : {Weights::CONSERVATIVE, Weights::SHEPARD})
+    for (const double n_j : {2.0, 4.0})
+      EXPECT_DOUBLE_EQ(correction_weight_of_inverse(weights, 1.2, 1.0 / 3.0, 1.0 / n_j),
+                       correction_weight(weights, 1.2, 3.0, n_j));
 }
