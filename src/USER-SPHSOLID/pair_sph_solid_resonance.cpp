@@ -126,7 +126,7 @@ void PairSPHSolid::elastic_forces(const std::vector<double> &u, std::vector<doub
   for (int i = 0; i < atom->nlocal; i++) rows[i] = &f[3 * i];
   p.f = rows.data();
   std::fill(f.begin(), f.end(), 0.0);
-  sweeps->displace(p, 0, atom->nlocal, u.data());
+  sweeps->displace(0, atom->nlocal, u.data());
   displacement_time = 0.0;
   forward(Message::DISPLACEMENT);
   sweeps->elastic_stress(p);

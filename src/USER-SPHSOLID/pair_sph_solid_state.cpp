@@ -58,7 +58,7 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool 
         const double a = (mask[first + k] & kicked) ? a_scale / p.mass[first + k] : 0.0;
         for (int c = 0; c < 3; c++) u[3 * k + c] = v_scale * v[c] + a * f[c];
       }
-      sweeps->displace(p, first, n, u);
+      sweeps->displace(first, n, u);
     }
   });
   displacement_time = v_scale;

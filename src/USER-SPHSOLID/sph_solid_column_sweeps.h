@@ -39,6 +39,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   int message_size(Message) const override;
   void pack(Message, int, double *) const override;
   void unpack(Message, const Particles &, int, const double *) override;
+  void displace(int first, int n, const double *u) override;
   void velocity(int i, double *v) const override;
   void mirror_switch() override;
   void virial(const Particles &, const NeighborRows &, double *) override;
@@ -313,6 +314,12 @@ template <int D> void ColumnSweeps<D>::mirror_rate(int component, const double *
 {
   for (int a = 0; a < D; a++)
     for (int b = a; b < D; b++) mirror_component(component++, sign[a] * sign[b], image);
+}
+
+template <int D> void ColumnSweeps<D>::displace(int first, int n, const double *u)
+{
+  for (int k = 0; k < n; k++)
+    if (column_of[first + k] >= 0) columns.set(column_of[first + k], V, u + 3 * k, D);
 }
 
 template <int D> void ColumnSweeps<D>::velocity(int i, double *v) const

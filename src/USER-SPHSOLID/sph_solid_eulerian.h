@@ -78,7 +78,6 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   void correction(const Particles &, const NeighborRows &) override;
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
-  void displace(const Particles &, int first, int n, const double *u) override;
   int neighbor_count(int i) const override;
   double memory_usage() const override;
 
@@ -88,9 +87,9 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
       Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
       Base::types, Base::unit_factor;
-  using Side::blocks, Side::column_of, Side::columns, Side::component, Side::difference,
-      Side::each_block, Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own,
-      Side::own_list, Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
+  using Side::blocks, Side::column_of, Side::columns, Side::component, Side::each_block,
+      Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own, Side::own_list,
+      Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
   using typename Side::Batch, typename Side::Totals, typename Side::Tensors, typename Side::Places,
       typename Base::Points;
 
@@ -115,6 +114,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     std::vector<unsigned char> lanes;       // which lanes have one
     std::vector<char> mirrored;             // is an image among them?
     std::vector<int> gathered;              // LANES columns each
+    std::size_t count = 0;
     void append(const Candidates &);
   } candidates;
   // of rows: sums over pairs are in the order of these numbers, whose lower half are columns; -1: none

@@ -187,6 +187,7 @@ template <int D> struct EulerianSweeps<D>::Arranging {
       if (of.images.any())
         add(of.image_first[i + 1] - of.image_first[i], of.image_j.data() + of.image_first[i]);
       std::sort(lane[m].begin(), lane[m].end());
+      found.count += lane[m].size();
     }
   }
 
@@ -264,6 +265,7 @@ template <int D> struct EulerianSweeps<D>::Arranging {
 
 template <int D> void EulerianSweeps<D>::Candidates::append(const Candidates &other)
 {
+  count += other.count;
   const int slots = first.back(), vectors = static_cast<int>(gathered.size()) / LANES;
   for (std::size_t block = 1; block < other.first.size(); block++)
     first.push_back(slots + other.first[block]);
@@ -294,12 +296,9 @@ void EulerianSweeps<D>::arrange_candidates(const Particles &p, const NeighborRow
 
 template <int D> double EulerianSweeps<D>::work() const
 {
-  std::size_t n = 0;
-  for (const unsigned lanes : candidates.lanes)
-    for (int m = 0; m < LANES; m++) n += lanes >> m & 1;
   const double slots = static_cast<double>(candidates.lanes.size() * LANES) +
       static_cast<double>(candidates.gathered.size()) * (PRICE - 1);
-  return n ? slots / static_cast<double>(n) : 1.0;
+  return candidates.count ? slots / static_cast<double>(candidates.count) : 1.0;
 }
 
 template <int D> void EulerianSweeps<D>::make_room_for_pairs()

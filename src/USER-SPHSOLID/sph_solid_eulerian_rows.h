@@ -46,13 +46,6 @@ void EulerianSweeps<D>::unpack(Message what, const Particles &p, int i, const do
   if (what == Message::STRESS && column_of[i] >= 0) p.rho[i] = in[RHO - T];
 }
 
-template <int D>
-void EulerianSweeps<D>::displace(const Particles &, int first, int n, const double *u)
-{
-  for (int k = 0; k < n; k++)
-    if (column_of[first + k] >= 0) columns.set(column_of[first + k], V, u + 3 * k, D);
-}
-
 template <int D> void EulerianSweeps<D>::mirror_stress()
 {
   for (int k = 0; k < images.count(); k++) {

@@ -169,10 +169,7 @@ class Sweeps {
   virtual void pack(Message, int i, double *out) const = 0;
   virtual void unpack(Message, const Particles &, int i, const double *in) = 0;
   // displacements of n particles side by side, three numbers each
-  virtual void displace(const Particles &p, int first, int n, const double *u)
-  {
-    for (int k = 0; k < n; k++) unpack(Message::DISPLACEMENT, p, first + k, u + 3 * k);
-  }
+  virtual void displace(int first, int n, const double *u) = 0;
   virtual void mirror_stress() = 0;    // to images
 
   // the switch of a viscosity that needs one more sweep for it

@@ -83,15 +83,11 @@ inline void store(double *to, Pack v)
 
 // the same in single precision; stored is the number as it is then
 
-inline NativeSingle load_single(const float *from)
+inline Pack load(const float *from)
 {
   NativeSingle n;
   std::memcpy(&n, from, sizeof(n));
-  return n;
-}
-inline Pack load(const float *from)
-{
-  return Pack(widened(load_single(from)));
+  return Pack(widened(n));
 }
 inline Pack store_rounded(float *to, Pack v)
 {
