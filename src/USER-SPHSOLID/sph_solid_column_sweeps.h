@@ -113,11 +113,24 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   {
     for (int a = 0; a < D; a++) out[a] = component(i, c + a) - component(j, c + a);
   }
-  static Components<D> motion(const double *i, const double *j)
+  static Components<D> motion(const double *i, const double *j) { return motion(own_motion(i), j); }
+  // of a particle itself: in a sweep's loop the compiler would read it again for every neighbor
+  static Components<D> own_motion(const double *i)
+  {
+    Components<D> own;
+    for (int a = 0; a < D; a++) {
+      own.x[a] = component(i, X + a);
+      own.v[a] = component(i, V + a);
+    }
+    return own;
+  }
+  static Components<D> motion(const Components<D> &own, const double *j)
   {
     Components<D> d;
-    difference(i, j, X, d.x);
-    difference(i, j, V, d.v);
+    for (int a = 0; a < D; a++) {
+      d.x[a] = own.x[a] - component(j, X + a);
+      d.v[a] = own.v[a] - component(j, V + a);
+    }
     return d;
   }
   void store_tensor(int column, int c, const Tensors &t)

@@ -130,7 +130,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     Room<unsigned char> lanes;    // which lanes have a pair
     Room<float> factor;           // 0 in the others
     Room<int> near;               // slots with a nearest neighbor
-    Room<double> near_weight;     // of those: m_j Wbar_ij, then the weights
+    Room<float> near_kernel;      // of those: Wbar_ij h0^D
     Room<double> near_pull;       // weights safe: force on i = m_i/2 near_pull x_ij
     Room<double> pull;            // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
     Room<double> crowd;           // with artificial stress: (W/W(spacing))^n
@@ -213,13 +213,17 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   template <PairForm FORM, bool TENSILE, bool UNIFORM>
   void force_block(const Particles &, int block, const Batch &);
 
-  // correction: of pair number n of the nearest ones of a block, what its force is along
-  // and what it is times m_i/2
+  // correction: what the force of a pair is along, and what it is times m_i/2
   int along() const { return safe() ? X : at_da; }
-  const double *near_factors(int block) const
+  Pack near_factor(std::size_t pair, const double *i, const double *j) const
   {
-    return (safe() ? pairs.near_pull : pairs.near_weight).data() +
-        pairs.near_first[block] * std::size_t(LANES);
+    return safe() ? load(&pairs.near_pull[pair]) : weight(pair, i, j);
+  }
+  Pack weight(std::size_t pair, const double *i, const double *j) const
+  {
+    return correction_weight_of_inverse(opt.weights,
+                                        component(j, MASS) * load(&pairs.near_kernel[pair]),
+                                        component(i, LAST), component(j, LAST));
   }
   void safe_pulls(int block);
 

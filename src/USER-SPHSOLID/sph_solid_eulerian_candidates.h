@@ -311,7 +311,7 @@ template <int D> void EulerianSweeps<D>::make_room_for_pairs()
   make_room(pairs.factor, all);
   if (needs_correction()) {
     make_room(pairs.near, n);
-    make_room(pairs.near_weight, all);
+    make_room(pairs.near_kernel, all);
   }
   if (safe()) make_room(pairs.near_pull, all);
   if (opt.tensile) make_room(pairs.crowd, all);
@@ -332,8 +332,8 @@ template <int D> double EulerianSweeps<D>::memory_usage() const
   std::size_t all = 0, near = 0;    // what is in use of the room for candidates
   for (const int n : pairs.count) all += n;
   for (const int n : pairs.near_count) near += n;
-  auto used = [](const Room<double> &of, std::size_t n) {
-    return of.empty() ? 0 : n * LANES * sizeof(double);
+  auto used = [](const auto &of, std::size_t n) {
+    return of.empty() ? 0 : n * LANES * sizeof(of[0]);
   };
   const std::size_t ints = candidates.first.capacity() + candidates.gathered.capacity() +
       4 * pairs.first.capacity() + own.capacity() + column_of.capacity() + 2 * ranked.capacity() +
@@ -342,7 +342,7 @@ template <int D> double EulerianSweeps<D>::memory_usage() const
       static_cast<double>(
              ints * sizeof(int) + candidates.lanes.capacity() + candidates.mirrored.capacity() +
              all + (candidates.further.capacity() + all) * sizeof(std::ptrdiff_t) +
-             used(pairs.near_weight, near) + used(pairs.near_pull, near) + used(pairs.pull, all) +
+             used(pairs.near_kernel, near) + used(pairs.near_pull, near) + used(pairs.pull, all) +
              used(pairs.crowd, all) + mu_max.capacity() * sizeof(double));
 }
 

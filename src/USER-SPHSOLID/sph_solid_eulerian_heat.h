@@ -69,10 +69,11 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
   const float *factors = pairs.factor.data() + first_pair;
   const double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   Neighbors neighbors(*this, block, X, V + D, K, FIXED);
+  const Components<D> own = Side::own_motion(i);
   Pack sum = 0.0, pulled = 0.0;
   for (int s = 0; s < count; s++) {
     const double *j = neighbors(further[s]);
-    const Components<D> d = motion(i, j);
+    const Components<D> d = motion(own, j);
     Pack of_pair = 0.0;
     each_index<D>([&](auto a) {
       Pack t = 0.0, r = 0.0;
@@ -103,9 +104,10 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
 {
   const bool evenly = opt.weights == Weights::CONSERVATIVE,
              printed = opt.heating == Heating::PRINTED;
-  const double *i = columns.at(block * LANES), *factors = near_factors(block);
+  const double *i = columns.at(block * LANES);
   const int *near = pairs.near.data() + pairs.near_first[block];
-  Neighbors neighbors(*this, block, X, V + D, at_da, at_da + D);
+  const std::size_t first = pairs.near_first[block] * std::size_t(LANES);
+  Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   Pack power = 0.0;
   for (int n = 0; n < pairs.near_count[block]; n++) {
     const double *j = neighbors(pairs.further[near[n]]);
@@ -119,7 +121,7 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
         moved = 2.0 * component(i, V + a);
       of_pair = multiply_add(moved, force, of_pair);
     }
-    power = multiply_add(load(factors + n * LANES), of_pair, power);
+    power = multiply_add(near_factor(first + n * LANES, i, j), of_pair, power);
   }
   return power;
 }
@@ -132,7 +134,8 @@ template <int D>
 typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Particles &p, int block,
                                                                     const Batch &batch) const
 {
-  const double *i = columns.at(block * LANES), *factors = near_factors(block);
+  const double *i = columns.at(block * LANES);
+  const std::size_t first = pairs.near_first[block] * std::size_t(LANES);
   const Pack mass = batch.load(p.mass), own_K = component(i, K);
   const int *near = pairs.near.data() + pairs.near_first[block];
   TensorSums<D> sum;
@@ -158,7 +161,7 @@ typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Partic
       f[a] = unit_factor * (KF * t - central * d.x[a]);
     }
     if (needs_correction() && n < pairs.near_count[block] && near[n] == s) {
-      const Pack w = 0.5 * mass * load(factors + n++ * LANES);
+      const Pack w = 0.5 * mass * near_factor(first + n++ * LANES, i, j);
       for (int a = 0; a < D; a++)
         f[a] += w * (component(i, along() + a) - component(j, along() + a));
     }

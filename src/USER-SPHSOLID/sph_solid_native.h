@@ -166,10 +166,17 @@ template <int i, int j, int k, int l> inline Native native_shuffle(const Native 
   });
 }
 
-inline NativeSingle native_single_all(float a)
+inline NativeSingle native_all(float a)
 {
   return each_lane<float>([&](int) {
     return a;
+  });
+}
+inline NativeSingle native_where_positive(const NativeSingle &condition, const NativeSingle &a,
+                                          const NativeSingle &b)
+{
+  return each_lane<float>([&](int k) {
+    return condition[k] > 0.0f ? a[k] : b[k];
   });
 }
 inline NativeSingle narrowed(const Native &a)
@@ -278,9 +285,13 @@ inline Native native_maximum(Native a, Native b)
 
 typedef float NativeSingle __attribute__((vector_size(LANES * sizeof(float))));
 
-inline NativeSingle native_single_all(float a)
+inline NativeSingle native_all(float a)
 {
   return a - NativeSingle{};
+}
+inline NativeSingle native_where_positive(NativeSingle condition, NativeSingle a, NativeSingle b)
+{
+  return condition > NativeSingle{} ? a : b;
 }
 // GCC 12 converts eight numbers in halves
 #ifdef SPHSOLID_AVX512

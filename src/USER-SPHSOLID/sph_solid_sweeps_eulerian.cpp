@@ -40,20 +40,22 @@ template <int D> constexpr double LEAST_MOMENT = 0.8 / (1 << D);
    gradient sweep
 ------------------------------------------------------------------------- */
 
-// of a thread: where the next block's slots with pairs begin; of the pairs of a block r^2, then r/h, and
-// where they differ smoothing lengths
+// of a thread: where the next block's slots with pairs begin; of the pairs of a block r^2, r/h and,
+// where they differ, smoothing lengths
 
 template <int D> struct EulerianSweeps<D>::Finding {
   int slot, near;
-  Rows distance, length;
+  Rows distance2, length;
+  SingleRows q;
   Finding(const Candidates &of, int first, int end, bool uniform) :
       slot(of.first[first]), near(of.first[first])
   {
     int most = 0;
     for (int block = first; block < end; block++)
       most = std::max(most, of.first[block + 1] - of.first[block]);
-    distance.resize(most * std::size_t(LANES));
-    if (!uniform) length.resize(distance.size());
+    distance2.resize(most * std::size_t(LANES));
+    q.resize(distance2.size());
+    if (!uniform) length.resize(distance2.size());
   }
 };
 
@@ -77,7 +79,7 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
   const char *mirrored = candidates.mirrored.data();
   std::ptrdiff_t *to_further = pairs.further.data();
   unsigned char *to_lanes = pairs.lanes.data();
-  double *distance = found.distance.data(), *length = found.length.data();
+  double *distance2 = found.distance2.data(), *length = found.length.data();
   const Pack common_range2 = range_of(Pack(common_h), Pack(common_near));
   Pack x[D];
   for (int a = 0; a < D; a++) x[a] = component(i, X + a);
@@ -95,8 +97,8 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
     if (mirrored[c])
       inside &= positive_lanes(r2 - 4.0 * COINCIDE * COINCIDE * h * h);    // not itself
     if (!inside) continue;
-    store(distance, where_lanes(inside, r2, BEYOND * range2));
-    distance += LANES;
+    store(distance2, where_lanes(inside, r2, BEYOND * range2));
+    distance2 += LANES;
     if (!UNIFORM) {
       store(length, h);
       length += LANES;
@@ -110,8 +112,9 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
   found.slot = n;
 }
 
-// kernel gradients of the pairs of a block, and r/h in place of r^2: grad_i W = F (x_i - x_j), stored is
-// F h0^(D+2).  A short loop of its own, so that the processor has many roots and divisions on the way
+// r/h and kernel gradients of the pairs of a block: grad_i W = F (x_i - x_j), stored is F h0^(D+2).
+// In single precision, as it is stored: rounding is the same from both sides.  A short loop of its
+// own, so that the processor has many roots and divisions on the way
 
 template <int D>
 template <bool UNIFORM>
@@ -120,17 +123,19 @@ void EulerianSweeps<D>::find_factors(int block, Finding &found)
   using Kernel = CubicSpline<D>;
   constexpr double LEAST_Q2 = 1.0e-30;    // of particles that meet
   const double per_unit = 1.0 / unit_factor;
-  const Pack common_inverse(1.0 / common_h),
-      common_scale = per_unit * Kernel::gradient_scale(common_inverse);
+  const Pack common_inverse(1.0 / common_h);
+  const SinglePack common_scale = rounded(per_unit * Kernel::gradient_scale(common_inverse));
   float *factors = pairs.factor.data() + pairs.first[block] * std::size_t(LANES);
-  double *distance = found.distance.data();
-  const double *length = found.length.data();
+  float *to_q = found.q.data();
+  const double *distance2 = found.distance2.data(), *length = found.length.data();
   for (int k = 0; k < pairs.count[block] * LANES; k += LANES) {
     const Pack hinv = UNIFORM ? common_inverse : 1.0 / load(length + k);
-    const RootAndInverse q(maximum(load(distance + k) * (hinv * hinv), Pack(LEAST_Q2)));
-    const Pack scale = UNIFORM ? common_scale : per_unit * Kernel::gradient_scale(hinv);
-    store_rounded(factors + k, scale * Kernel::gradient_shape(q.root, q.inverse));
-    store(distance + k, q.root);
+    const SinglePack q =
+        square_root(rounded(maximum(load(distance2 + k) * (hinv * hinv), Pack(LEAST_Q2))));
+    const SinglePack scale =
+        UNIFORM ? common_scale : rounded(per_unit * Kernel::gradient_scale(hinv));
+    store(factors + k, scale * Kernel::gradient_shape(q, 1.0 / q));
+    store(to_q + k, q);
   }
 }
 
@@ -141,36 +146,39 @@ template <bool UNIFORM>
 typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Finding &found)
 {
   const double *i = columns.at(block * LANES), *length = found.length.data();
-  const double *q = found.distance.data();
+  const float *of_q = found.q.data();
   const int first = pairs.first[block], count = pairs.count[block];
   const std::ptrdiff_t *further = pairs.further.data() + first;
   const float *factors = pairs.factor.data() + first * std::size_t(LANES);
   const bool correct = needs_correction();
   int near = found.near;
   int *nearest = pairs.near.data();
-  double *weights = pairs.near_weight.data();
-  const Pack own_near = near_of<UNIFORM>(i), common_hbar_inverse(2.0 / common_near);
+  float *kernels = pairs.near_kernel.data();
+  const Components<D> own = Side::own_motion(i);
+  const Pack own_near = near_of<UNIFORM>(i);
   TensorSums<D> moment, velocity;
   Pack nsum = 0.0;
   Neighbors neighbors(*this, block, X, T, at_h, components());
   for (int s = 0; s < count; s++) {
     const double *j = neighbors(further[s]);
-    const Components<D> d = motion(i, j);
+    const Components<D> d = motion(own, j);
     const Pack w = -load(factors + s * LANES) * component(j, VOLUME);
     Pack g[D];
     for (int a = 0; a < D; a++) g[a] = w * d.x[a];
     moment.add_symmetric(d.x, g);
     velocity.add(d.v, g);
     if (!correct) continue;
-    const Pack h = UNIFORM ? Pack(common_h) : load(length + s * LANES);
-    const Pack r = load(q + s * LANES) * h;
-    const Pack support = UNIFORM ? own_near : 0.5 * (own_near + near_of<UNIFORM>(j));
+    // both over the largest h
+    Pack r = load(of_q + s * LANES), support = (1.0 / common_h) * own_near;
+    if (!UNIFORM) {
+      r *= (1.0 / common_h) * load(length + s * LANES);
+      support = (0.5 / common_h) * (own_near + near_of<UNIFORM>(j));
+    }
     if (!positive_lanes(support - r)) continue;
-    const Pack hbar_inverse = UNIFORM ? common_hbar_inverse : 2.0 / support;
-    const Pack m_wbar = component(j, MASS) * CubicSpline<D>::w_of_inverse(r, hbar_inverse);
-    store(weights + near * std::size_t(LANES), m_wbar);
+    const Pack kernel = store_rounded(kernels + near * std::size_t(LANES),
+                                      CubicSpline<D>::w_of_inverse(r, 2.0 / support));
     nearest[near++] = first + s;
-    nsum += m_wbar;
+    nsum = multiply_add(component(j, MASS), kernel, nsum);
   }
   if (correct) {
     pairs.near_first[block] = found.near;
@@ -307,24 +315,23 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
   const std::ptrdiff_t *further = pairs.further.data() + first;
   const float *factors = pairs.factor.data() + first_pair;
   double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
-  const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
-  double *weights = pairs.near_weight.data() + pairs.near_first[block] * std::size_t(LANES);
-  const int *near = pairs.near.data() + pairs.near_first[block],
-            *near_end = near + pairs.near_count[block];
+  const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely,
+             limits = this->limits_step;
   const double a1 = opt.a1, a2 = opt.a2;
-  const Pack zero(0.0), one(1.0);
-  Pack stress[D], g[D], crowded_g[D], viscous[D], whole[D], mu_least = zero;    // sums over pairs
+  const Components<D> own = Side::own_motion(i);
+  const Pack zero(0.0), one(1.0), same_h(common_h), rho = component(i, RHO),
+             c = component(i, SOUND);
+  Pack stress[D], g[D], crowded_g[D], pulled[D], whole[D], mu_least = zero;    // sums over pairs
   each_index<D>([&](auto a) {
-    stress[a] = g[a] = crowded_g[a] = viscous[a] = whole[a] = zero;
+    stress[a] = g[a] = crowded_g[a] = pulled[a] = whole[a] = zero;
   });
   Neighbors neighbors(*this, block, 0, at_da, at_h, components());
 
   for (int s = 0; s < count; s++) {
     const int k = s * LANES;
     const double *j = neighbors(further[s]);
-    const Components<D> d = motion(i, j);
-    const Pack F = load(factors + k);
-    const Pack h = mean_h<UNIFORM>(i, j);
+    const Components<D> d = motion(own, j);
+    const Pack F = load(factors + k), h = UNIFORM ? same_h : mean_h<UNIFORM>(i, j);
     Pack r2 = zero, fn = zero;
     if (VISCOUS || TENSILE) r2 = d.x_dot_x();
     if (TENSILE) {
@@ -348,51 +355,43 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
     });
     if (!VISCOUS) continue;
 
-    const Pack rho = 0.5 * (component(i, RHO) + component(j, RHO)),
-               c = 0.5 * (component(i, SOUND) + component(j, SOUND));
     const Pack on = needs_switch(FORM) ? 0.5 * (component(i, LAST) + component(j, LAST)) : one;
     Pack vr = d.v_dot_x();
     if (RATES)
       vr = jump_left<FORM>(vr, this->stretching(i, at_rate, d.x), this->stretching(j, at_rate, d.x),
                            on);
-    const PairViscosity<Pack> viscosity(a1, a2, c, rho, vr, r2, h);
-    Pack q = component(j, MASS) * viscosity.Pi * F;
+    const PairViscosity<Pack> viscosity(a1, a2, c + component(j, SOUND), rho + component(j, RHO),
+                                        vr, r2, h);
+    Pack q = component(j, MASS) * F * viscosity.Pi;
     if (FORM == PairForm::SWITCHED) q *= on;
     if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
     if (alone) {
       const Pack left = Side::whole_pull(i, j, LAST, q);
-      d.add_to(whole, -left);
+      d.add_to(whole, left);
       q -= left;
     }
-    d.add_to(viscous, -q);
-    mu_least = minimum(mu_least, where_positive(-F, viscosity.mu, zero));
-    if (near != near_end && *near == first + s) {    // m_j Wbar_ij becomes a weight
-      store(weights,
-            correction_weight_of_inverse(opt.weights, load(weights), component(i, LAST),
-                                         component(j, LAST)));
-      weights += LANES;
-      near++;
-    }
+    d.add_to(pulled, q);
+    if (limits) mu_least = minimum(mu_least, where_positive(-F, viscosity.mu, zero));
   }
 
   const Pack of_stress = unit_factor * component(i, K), of_mass = unit_factor * batch.load(p.mass);
   Pack f[D], acceleration[D];
   each_index<D>([&](auto a) {
     f[a] = stress[a];
-    for (int b = 0; b < D; b++) {
+    each_index<D>([&](auto b) {    // by constants, else sums are kept in memory
       f[a] = multiply_add(component(i, T + D * a + b), g[b], f[a]);
       if (TENSILE) f[a] = multiply_add(component(i, at_tension + D * a + b), crowded_g[b], f[a]);
-    }
+    });
     f[a] *= of_stress;
-    if (VISCOUS) f[a] = multiply_add(of_mass, correct ? whole[a] : viscous[a], f[a]);
-    acceleration[a] = unit_factor * viscous[a];
+    if (VISCOUS) f[a] -= of_mass * (correct ? whole[a] : pulled[a]);
+    acceleration[a] = -unit_factor * pulled[a];
   });
   this->add_forces(p, batch, f);
   if (VISCOUS && correct) {
     columns.store(block * LANES, at_da, acceleration, D);
     columns.copy_to_rows(block * LANES, at_da, at_da + D);
   }
-  if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
+  if (limits) store(&mu_max[block * LANES], -mu_least);
 }
 
 }    // namespace

@@ -26,28 +26,32 @@ namespace SPHSolid {
 
 // a number in formulas that take as many particles or pairs at a time
 
-class Pack {
+template <class N, class Number> class PackOf {
  public:
-  Pack() = default;
-  Pack(double a) : v(native_all(a)) {}
-  explicit Pack(const Native &n) : v(n) {}
+  PackOf() = default;
+  PackOf(double a) : v(native_all(static_cast<Number>(a))) {}
+  explicit PackOf(const N &n) : v(n) {}
+  Number operator[](int k) const { return v[k]; }
+  const N &native() const { return v; }
 
-  double operator[](int k) const { return v[k]; }
-  const Native &native() const { return v; }
-
-  friend Pack operator+(const Pack &a, const Pack &b) { return Pack(a.v + b.v); }
-  friend Pack operator-(const Pack &a, const Pack &b) { return Pack(a.v - b.v); }
-  friend Pack operator*(const Pack &a, const Pack &b) { return Pack(a.v * b.v); }
-  friend Pack operator/(const Pack &a, const Pack &b) { return Pack(a.v / b.v); }
-  Pack operator-() const { return Pack(0.0) - *this; }
-  Pack &operator+=(const Pack &b) { return *this = *this + b; }
-  Pack &operator-=(const Pack &b) { return *this = *this - b; }
-  Pack &operator*=(const Pack &b) { return *this = *this * b; }
-  Pack &operator/=(const Pack &b) { return *this = *this / b; }
+  friend PackOf operator+(const PackOf &a, const PackOf &b) { return PackOf(a.v + b.v); }
+  friend PackOf operator-(const PackOf &a, const PackOf &b) { return PackOf(a.v - b.v); }
+  friend PackOf operator*(const PackOf &a, const PackOf &b) { return PackOf(a.v * b.v); }
+  friend PackOf operator/(const PackOf &a, const PackOf &b) { return PackOf(a.v / b.v); }
+  PackOf operator-() const { return PackOf(0.0) - *this; }
+  PackOf &operator+=(const PackOf &b) { return *this = *this + b; }
+  PackOf &operator-=(const PackOf &b) { return *this = *this - b; }
+  PackOf &operator*=(const PackOf &b) { return *this = *this * b; }
+  PackOf &operator/=(const PackOf &b) { return *this = *this / b; }
 
  private:
-  Native v;
+  N v;
 };
+
+using Pack = PackOf<Native, double>;
+
+// for what is kept in single precision and need not be found in any other
+using SinglePack = PackOf<NativeSingle, float>;
 
 // a b + c, rounded once where the instruction set can.  Only where it is asked for: the
 // compiler, left free to choose, takes it in a vector loop and not in what is left over, and
@@ -96,19 +100,14 @@ inline Pack store_rounded(float *to, Pack v)
   return Pack(widened(n));
 }
 
-// root and 1/root of a number between 1e-30 and 1e30, to 2^-46: in single precision, which takes a third of
-// the time, and one of Newton's steps.  IEEE numbers, so that all instruction sets agree
-
-struct RootAndInverse {
-  Pack root, inverse;
-  explicit RootAndInverse(Pack x)
-  {
-    const NativeSingle single = native_square_root(narrowed(x.native()));
-    const Pack near_root(widened(single)), near_inverse(widened(native_single_all(1.0f) / single));
-    root = near_root + (x - near_root * near_root) * (0.5 * near_inverse);
-    inverse = near_inverse * (2.0 - root * near_inverse);
-  }
-};
+inline SinglePack rounded(Pack v)
+{
+  return SinglePack(narrowed(v.native()));
+}
+inline void store(float *to, SinglePack v)
+{
+  std::memcpy(to, &v.native(), sizeof(NativeSingle));
+}
 
 // value(lane) of each.  Not by way of an array: its load would have to wait for the stores
 
@@ -150,6 +149,10 @@ inline Pack where_positive(Pack condition, Pack a, Pack b)
   return Pack(native_where_positive(condition.native(), a.native(), b.native()));
 }
 
+inline SinglePack where_positive(SinglePack condition, SinglePack a, SinglePack b)
+{
+  return SinglePack(native_where_positive(condition.native(), a.native(), b.native()));
+}
 inline double where_positive(double condition, double a, double b)
 {
   return condition > 0.0 ? a : b;
@@ -192,6 +195,10 @@ inline double square_root(double a)
 inline Pack square_root(Pack a)
 {
   return Pack(native_square_root(a.native()));
+}
+inline SinglePack square_root(SinglePack a)
+{
+  return SinglePack(native_square_root(a.native()));
 }
 
 }    // namespace SPHSolid

@@ -44,15 +44,16 @@ static constexpr double MU_EPSILON = 0.01;
 // The following take numbers or vectors of them (sph_solid_vector.h) as Real.
 
 // mu_ij of eq. 24 [velocity], zero for a separating pair, and Pi_ij of eq. 23 [pressure/density^2];
-// vr = v_ij . r_ij, r2 = r_ij^2, c and rho are pair means.  One division for both
+// vr = v_ij . r_ij, r2 = r_ij^2, of sound speed and density the sums of both particles: twice the pair
+// means.  One division for both, and little to do behind it, for which the processor would have to wait
 
 template <class Real> struct PairViscosity {
   Real mu, Pi;
-  PairViscosity(double a1, double a2, Real c, Real rho, Real vr, Real r2, Real h)
+  PairViscosity(double a1, double a2, Real c_sum, Real rho_sum, Real vr, Real r2, Real h)
   {
-    const Real softened = r2 + h * h * MU_EPSILON, inverse = 1.0 / (softened * rho);
-    mu = h * minimum(vr, Real{}) * (rho * inverse);
-    Pi = mu * (mu * a2 - c * a1) * (softened * inverse);
+    const Real softened = r2 + MU_EPSILON * (h * h), inverse = 1.0 / (softened * rho_sum);
+    mu = h * minimum(vr, Real{}) * (rho_sum * inverse);
+    Pi = mu * (softened * inverse) * multiply_add(mu, Real(2.0 * a2), -a1 * c_sum);
   }
 };
 

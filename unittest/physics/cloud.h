@@ -45,6 +45,8 @@ inline std::string name_of(Viscosity v)
 // which B, forces and heat all take the same
 
 constexpr double SINGLE = 0x1p-24;
+// and found in it, with a few roundings each
+constexpr double KERNEL_ERROR = 4.0 * SINGLE;
 
 // numbers in [-1,1], the same everywhere
 

@@ -80,7 +80,7 @@ TEST(Gradient, PlainGradientOnLattice)
       return {g * x[0], 0.0, 0.0};
     });
     c.advance(dt);
-    EXPECT_NEAR(c.rho[middle(c)], 1.0 - lattice_sum * g * dt, SINGLE * lattice_sum * g * dt);
+    EXPECT_NEAR(c.rho[middle(c)], 1.0 - lattice_sum * g * dt, KERNEL_ERROR * lattice_sum * g * dt);
   }
 }
 

@@ -39,12 +39,32 @@ TEST(Packs, ArePositiveIfAllLanesAre)
   for (unsigned set = 0; set <= all; set++) EXPECT_EQ(all_positive(positive_in(set)), set == all);
 }
 
-TEST(Packs, RootsAndTheirInverses)
+// IEEE numbers of single precision, whatever the instruction set
+
+TEST(Packs, SinglePrecisionIsThatOfNumbers)
 {
-  for (double x = 1e-30; x < 1e30; x *= 1.37) {
-    const RootAndInverse of(x);
-    EXPECT_NEAR(of.root[0], std::sqrt(x), 0x1p-46 * std::sqrt(x));
-    EXPECT_NEAR(of.inverse[LANES - 1], 1.0 / std::sqrt(x), 0x1p-46 / std::sqrt(x));
+  for (float x = 1e-30f; x < 1e30f; x *= 1.37f) {
+    const SinglePack pack = rounded(Pack(double(x) * (1.0 + 0x1p-30)));
+    const float root = std::sqrt(x), shape = 2.0f - 0.75f * x * (1.0f / root);
+    const SinglePack of_pack = 2.0 - 0.75 * pack * (1.0 / square_root(pack));
+    for (int m = 0; m < LANES; m++) {
+      EXPECT_EQ(pack[m], x);
+      EXPECT_EQ(square_root(pack)[m], root);
+      EXPECT_EQ(of_pack[m], shape);
+    }
+  }
+}
+
+TEST(Packs, SinglePrecisionIsChosenLaneByLane)
+{
+  const unsigned all = (1u << LANES) - 1;
+  for (unsigned set = 0; set <= all; set++) {
+    const SinglePack chosen =
+        where_positive(rounded(positive_in(set)), SinglePack(2.0), SinglePack(-3.0));
+    for (int m = 0; m < LANES; m++) EXPECT_EQ(chosen[m], set >> m & 1u ? 2.0f : -3.0f) << set;
+    float stored[LANES];
+    store(stored, chosen);
+    EXPECT_EQ(sum(load(stored)), sum(where_lanes(set, Pack(2.0), Pack(-3.0))));
   }
 }
 

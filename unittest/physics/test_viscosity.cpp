@@ -10,11 +10,11 @@ using namespace SPHSolid;
 
 namespace {
 
-// a1 = 2, a2 = 4, c = 5, rho = 2
+// a1 = 2, a2 = 4, c = 5, rho = 2 of each of the two
 
 PairViscosity<double> pair(double vr, double r2, double h)
 {
-  return {2.0, 4.0, 5.0, 2.0, vr, r2, h};
+  return {2.0, 4.0, 10.0, 4.0, vr, r2, h};
 }
 
 }    // namespace
