@@ -123,10 +123,14 @@ void PairSPHSolid::elastic_forces(const std::vector<double> &u, std::vector<doub
 {
   Particles p = particles();
   std::vector<double *> rows(atom->nlocal + 1);
-  for (int i = 0; i < atom->nlocal; i++) rows[i] = &f[3 * i];
+  std::vector<const double *> displacements(atom->nlocal + 1);
+  for (int i = 0; i < atom->nlocal; i++) {
+    rows[i] = &f[3 * i];
+    displacements[i] = &u[3 * i];
+  }
   p.f = rows.data();
   std::fill(f.begin(), f.end(), 0.0);
-  sweeps->displace(0, atom->nlocal, u.data());
+  sweeps->displace(displacements.data());
   displacement_time = 0.0;
   forward(Message::DISPLACEMENT);
   sweeps->elastic_stress(p);

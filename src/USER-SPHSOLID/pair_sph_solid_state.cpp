@@ -26,7 +26,6 @@
 #include "sph_solid_fingerprint.h"
 #include "sph_solid_invariants.h"
 #include "sph_solid_sweeps.h"
-#include "sph_solid_threads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,20 +46,7 @@ PairSPHSolid *PairSPHSolid::find(LAMMPS *lmp, const char *caller)
 void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool book)
 {
   const Particles p = particles();
-  const int *mask = atom->mask;
-  constexpr int CHUNK = 64;
-  each_share(comm->nthreads, p.nlocal, [&](int begin, int end) {
-    double u[3 * CHUNK];
-    for (int first = begin; first < end; first += CHUNK) {
-      const int n = std::min(CHUNK, end - first);
-      for (int k = 0; k < n; k++) {
-        const double *v = p.v[first + k], *f = p.f[first + k];
-        const double a = (mask[first + k] & kicked) ? a_scale / p.mass[first + k] : 0.0;
-        for (int c = 0; c < 3; c++) u[3 * k + c] = v_scale * v[c] + a * f[c];
-      }
-      sweeps->displace(first, n, u);
-    }
-  });
+  sweeps->displace(p, Kick{v_scale, a_scale, atom->mask, kicked});
   displacement_time = v_scale;
   forward(Message::DISPLACEMENT);
   sweeps->heat(p, rows(), heat, book);
@@ -154,12 +140,6 @@ void PairSPHSolid::require_current(const char *what) const
                "{} needs the forces of the last step, and a command since then has changed the "
                "particles or their order: expected a 'run 0' before",
                what);
-}
-
-bool PairSPHSolid::has_material(int i) const
-{
-  const int t = atom->type[i];
-  return setflag[t][t] != 0;
 }
 
 double PairSPHSolid::pressure(int i) const

@@ -39,7 +39,8 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   int message_size(Message) const override;
   void pack(Message, int, double *) const override;
   void unpack(Message, const Particles &, int, const double *) override;
-  void displace(int first, int n, const double *u) override;
+  void displace(const double *const *u) override;
+  void displace(const Particles &, const Kick &) override;
   void velocity(int i, double *v) const override;
   void mirror_switch() override;
   void virial(const Particles &, const NeighborRows &, double *) override;
@@ -147,7 +148,9 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) repeat_last(t(a, b), n);
   }
+  static void load_vectors(const Batch &, const double *const *of, Pack *v);
   void pack_vectors(int block, const Batch &, int component, const double *const *of);
+  void store_displacement(int block, const Pack *u);
   void pack_ghosts(const Particles &, const double *const *v);
   void mirror_vectors(int component);
   void mirror_component(int component, double factor, int image);
@@ -262,10 +265,8 @@ template <int D> void ColumnSweeps<D>::repeat_last(Pack &v, int n)
 // LAMMPS's vectors of a block; behind the last particle those of the last one again
 
 template <int D>
-void ColumnSweeps<D>::pack_vectors(int block, const Batch &batch, int component,
-                                   const double *const *of)
+void ColumnSweeps<D>::load_vectors(const Batch &batch, const double *const *of, Pack *v)
 {
-  Pack v[D];
   if (batch.consecutive)
     load_components<D>(of[batch.i[0]], v);
   else
@@ -273,6 +274,14 @@ void ColumnSweeps<D>::pack_vectors(int block, const Batch &batch, int component,
       v[a] = pack_of([&](int m) {
         return of[batch.i[m]][a];
       });
+}
+
+template <int D>
+void ColumnSweeps<D>::pack_vectors(int block, const Batch &batch, int component,
+                                   const double *const *of)
+{
+  Pack v[D];
+  load_vectors(batch, of, v);
   columns.store(block * LANES, component, v, D);
 }
 
@@ -329,10 +338,36 @@ template <int D> void ColumnSweeps<D>::mirror_rate(int component, const double *
     for (int b = a; b < D; b++) mirror_component(component++, sign[a] * sign[b], image);
 }
 
-template <int D> void ColumnSweeps<D>::displace(int first, int n, const double *u)
+template <int D> void ColumnSweeps<D>::store_displacement(int block, const Pack *u)
 {
-  for (int k = 0; k < n; k++)
-    if (column_of[first + k] >= 0) columns.set(column_of[first + k], V, u + 3 * k, D);
+  columns.store(block * LANES, V, u, D);
+  columns.copy_to_rows(block * LANES, V, V + D);
+}
+
+template <int D> void ColumnSweeps<D>::displace(const double *const *u)
+{
+  each_block([&](int block, const Batch &batch, Totals &) {
+    Pack of_block[D];
+    load_vectors(batch, u, of_block);
+    store_displacement(block, of_block);
+  });
+}
+
+template <int D> void ColumnSweeps<D>::displace(const Particles &p, const Kick &kick)
+{
+  each_block([&](int block, const Batch &batch, Totals &) {
+    Pack v[D], f[D], u[D], a = kick.a_scale / batch.load(p.mass);
+    load_vectors(batch, p.v, v);
+    load_vectors(batch, p.f, f);
+    int of_all = kick.kicked;
+    for (int m = 0; m < LANES; m++) of_all &= kick.mask[batch.i[m]];
+    if (!of_all)
+      a = pack_of([&](int m) {
+        return kick.mask[batch.i[m]] & kick.kicked ? a[m] : 0.0;
+      });
+    for (int c = 0; c < D; c++) u[c] = kick.v_scale * v[c] + a * f[c];
+    store_displacement(block, u);
+  });
 }
 
 template <int D> void ColumnSweeps<D>::velocity(int i, double *v) const
@@ -417,8 +452,10 @@ template <int D> void ColumnSweeps<D>::find_lonely()
 {
   const int last = places().last;
   lonely = false;
-  for (const int column : column_of)
-    lonely = lonely || (column >= 0 && !(columns.get(column, last) > 0.0));
+  int column = 0;
+  for (; column + LANES <= end_of_columns && !lonely; column += LANES)
+    lonely = !all_positive(component(columns.at(column), last));
+  for (; column < end_of_columns; column++) lonely = lonely || !(columns.get(column, last) > 0.0);
 }
 
 // of the pairs that the correction must not touch since one of the two has no nearest neighbor,

@@ -178,7 +178,8 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     const int first, end, second, second_end;
     typename Side::template Scratch<FIXED + D * D + SYMMETRIC + D + 2> scratch;
 
-    const double *gathered(const int *from)
+    // not inlined: a loop over other slots has registers for what it needs then
+    [[gnu::noinline]] const double *gathered(const int *from)
     {
       of.gather(from, first, end, scratch.of);
       of.gather(from, second, second_end, scratch.of);

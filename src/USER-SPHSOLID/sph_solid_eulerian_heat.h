@@ -45,8 +45,7 @@ void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *h
           t.standard += Base::sum_of_first(viscous + standard, batch.n);
           if (needs_correction()) viscous -= 0.25 * mass * corrected_power(block);
           t.viscous += Base::sum_of_first(viscous, batch.n);
-          const Pack all = stress + viscous;
-          for (int m = 0; m < batch.n; m++) heat[batch.i[m]] = all[m];
+          batch.store(heat, stress + viscous);
         });
       },
       keeps_pairs(), opt.tensile);
@@ -102,25 +101,28 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
 
 template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
 {
-  const bool evenly = opt.weights == Weights::CONSERVATIVE,
-             printed = opt.heating == Heating::PRINTED;
+  const bool printed = opt.heating == Heating::PRINTED && !safe(),
+             alone = opt.weights == Weights::SHEPARD && !printed;    // its own loss
   const double *i = columns.at(block * LANES);
   const int *near = pairs.near.data() + pairs.near_first[block];
   const std::size_t first = pairs.near_first[block] * std::size_t(LANES);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
+  const int at = along();
+  Pack own_moved[D], own_force[D];
+  for (int a = 0; a < D; a++) {
+    own_moved[a] = (alone ? 2.0 : 1.0) * component(i, V + a);
+    own_force[a] = (printed ? 0.0 : 1.0) * component(i, at + a);
+  }
+  const Pack minus_moved(alone ? 0.0 : -1.0), minus_force(printed ? -2.0 : -1.0);
   Pack power = 0.0;
   for (int n = 0; n < pairs.near_count[block]; n++) {
     const double *j = neighbors(pairs.further[near[n]]);
     Pack of_pair = 0.0;
-    for (int a = 0; a < D; a++) {
-      Pack moved = component(i, V + a) - component(j, V + a);
-      Pack force = component(i, along() + a) - component(j, along() + a);
-      if (!safe() && printed)
-        force = -2.0 * component(j, at_da + a);
-      else if (!safe() && !evenly)
-        moved = 2.0 * component(i, V + a);
+    each_index<D>([&](auto a) {
+      const Pack moved = multiply_add(minus_moved, component(j, V + a), own_moved[a]),
+                 force = multiply_add(minus_force, component(j, at + a), own_force[a]);
       of_pair = multiply_add(moved, force, of_pair);
-    }
+    });
     power = multiply_add(near_factor(first + n * LANES, i, j), of_pair, power);
   }
   return power;

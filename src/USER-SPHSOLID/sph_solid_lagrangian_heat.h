@@ -149,7 +149,7 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
     const Power of_block = power(block, mass, batch.load(p.vref), sums);
     enter_block(block, mass, batch.n, of_block, t);
     const Pack all = of_block.sum();
-    for (int m = 0; m < batch.n; m++) heat[batch.i[m]] = all[m];
+    batch.store(heat, all);
   });
   if (!book) return;
   Base::enter(totals, 1.0);

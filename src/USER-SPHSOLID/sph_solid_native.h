@@ -121,16 +121,19 @@ inline Native native_multiply_add(const Native &a, const Native &b, const Native
 #endif
   });
 }
-inline Native native_where_positive(const Native &condition, const Native &a, const Native &b)
+template <class T>
+inline PortableVector<T> native_where_positive(const PortableVector<T> &condition,
+                                               const PortableVector<T> &a,
+                                               const PortableVector<T> &b)
 {
-  return each_lane([&](int k) {
-    return condition[k] > 0.0 ? a[k] : b[k];
+  return each_lane<T>([&](int k) {
+    return condition[k] > 0 ? a[k] : b[k];
   });
 }
-inline unsigned native_positive_lanes(const Native &a)
+template <class T> inline unsigned native_positive_lanes(const PortableVector<T> &a)
 {
   unsigned lanes = 0;
-  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0.0 ? 1u : 0u) << k;
+  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0 ? 1u : 0u) << k;
   return lanes;
 }
 inline Native native_where_lanes(unsigned lanes, const Native &a, const Native &b)
@@ -139,9 +142,9 @@ inline Native native_where_lanes(unsigned lanes, const Native &a, const Native &
     return lanes >> k & 1 ? a[k] : b[k];
   });
 }
-inline Native native_square_root(const Native &a)
+template <class T> inline PortableVector<T> native_square_root(const PortableVector<T> &a)
 {
-  return each_lane([&](int k) {
+  return each_lane<T>([&](int k) {
     return std::sqrt(a[k]);
   });
 }
@@ -151,9 +154,10 @@ inline Native native_minimum(const Native &a, const Native &b)
     return a[k] < b[k] ? a[k] : b[k];
   });
 }
-inline Native native_maximum(const Native &a, const Native &b)
+template <class T>
+inline PortableVector<T> native_maximum(const PortableVector<T> &a, const PortableVector<T> &b)
 {
-  return each_lane([&](int k) {
+  return each_lane<T>([&](int k) {
     return a[k] > b[k] ? a[k] : b[k];
   });
 }
@@ -172,13 +176,6 @@ inline NativeSingle native_all(float a)
     return a;
   });
 }
-inline NativeSingle native_where_positive(const NativeSingle &condition, const NativeSingle &a,
-                                          const NativeSingle &b)
-{
-  return each_lane<float>([&](int k) {
-    return condition[k] > 0.0f ? a[k] : b[k];
-  });
-}
 inline NativeSingle narrowed(const Native &a)
 {
   return each_lane<float>([&](int k) {
@@ -189,12 +186,6 @@ inline Native widened(const NativeSingle &a)
 {
   return each_lane([&](int k) {
     return static_cast<double>(a[k]);
-  });
-}
-inline NativeSingle native_square_root(const NativeSingle &a)
-{
-  return each_lane<float>([&](int k) {
-    return std::sqrt(a[k]);
   });
 }
 
@@ -292,6 +283,22 @@ inline NativeSingle native_all(float a)
 inline NativeSingle native_where_positive(NativeSingle condition, NativeSingle a, NativeSingle b)
 {
   return condition > NativeSingle{} ? a : b;
+}
+inline NativeSingle native_maximum(NativeSingle a, NativeSingle b)
+{
+  return a > b ? a : b;
+}
+inline unsigned native_positive_lanes(NativeSingle a)
+{
+#if defined(__AVX__) && SPHSOLID_LANES == 8
+  return _mm256_movemask_ps(_mm256_cmp_ps(a, NativeSingle{}, _CMP_GT_OQ));
+#elif defined(__AVX__)
+  return _mm_movemask_ps(_mm_cmp_ps(a, NativeSingle{}, _CMP_GT_OQ));
+#else
+  unsigned lanes = 0;
+  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0.0f ? 1u : 0u) << k;
+  return lanes;
+#endif
 }
 // GCC 12 converts eight numbers in halves
 #ifdef SPHSOLID_AVX512

@@ -129,6 +129,14 @@ struct HeatDue {
   double drift = 0.0;     // particles have moved by drift v' since the evaluation [time]
 };
 
+// displacements v_scale v + a_scale f/m; without a force of those that are not kicked
+
+struct Kick {
+  double v_scale, a_scale;    // [time, time^2]
+  const int *mask;
+  int kicked;    // group bits, for mask
+};
+
 // what a particle has to send to its ghosts between two sweeps: what the constitutive update has
 // found, the switch of a viscosity, da of eq. 28, and displacements (D numbers) before heat()
 
@@ -168,8 +176,9 @@ class Sweeps {
   virtual int message_size(Message) const = 0;
   virtual void pack(Message, int i, double *out) const = 0;
   virtual void unpack(Message, const Particles &, int i, const double *in) = 0;
-  // displacements of n particles side by side, three numbers each
-  virtual void displace(int first, int n, const double *u) = 0;
+  // displacements of own particles: u, or those of a kick
+  virtual void displace(const double *const *u) = 0;
+  virtual void displace(const Particles &, const Kick &) = 0;
   virtual void mirror_stress() = 0;    // to images
 
   // the switch of a viscosity that needs one more sweep for it

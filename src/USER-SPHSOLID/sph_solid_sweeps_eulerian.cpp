@@ -156,36 +156,38 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   float *kernels = pairs.near_kernel.data();
   const Components<D> own = Side::own_motion(i);
   const Pack own_near = near_of<UNIFORM>(i);
+  const double per_h = 1.0 / common_h;
+  const SinglePack same_support(per_h * common_near);
   TensorSums<D> moment, velocity;
   Pack nsum = 0.0;
   Neighbors neighbors(*this, block, X, T, at_h, components());
   for (int s = 0; s < count; s++) {
     const double *j = neighbors(further[s]);
     const Components<D> d = motion(own, j);
-    const Pack w = -load(factors + s * LANES) * component(j, VOLUME);
+    const Pack w = load(factors + s * LANES) * component(j, VOLUME);    // negative
     Pack g[D];
     for (int a = 0; a < D; a++) g[a] = w * d.x[a];
     moment.add_symmetric(d.x, g);
     velocity.add(d.v, g);
     if (!correct) continue;
     // both over the largest h
-    Pack r = load(of_q + s * LANES), support = (1.0 / common_h) * own_near;
+    SinglePack r = load_single(of_q + s * LANES), support = same_support;
     if (!UNIFORM) {
-      r *= (1.0 / common_h) * load(length + s * LANES);
-      support = (0.5 / common_h) * (own_near + near_of<UNIFORM>(j));
+      r *= rounded(per_h * load(length + s * LANES));
+      support = rounded((0.5 * per_h) * (own_near + near_of<UNIFORM>(j)));
     }
     if (!positive_lanes(support - r)) continue;
-    const Pack kernel = store_rounded(kernels + near * std::size_t(LANES),
-                                      CubicSpline<D>::w_of_inverse(r, 2.0 / support));
+    const SinglePack kernel = CubicSpline<D>::w_of_inverse(r, 2.0 / support);
+    store(kernels + near * std::size_t(LANES), kernel);
     nearest[near++] = first + s;
-    nsum = multiply_add(component(j, MASS), kernel, nsum);
+    nsum = multiply_add(component(j, MASS), widened(kernel), nsum);
   }
   if (correct) {
     pairs.near_first[block] = found.near;
     pairs.near_count[block] = near - found.near;
     found.near = near;
   }
-  return {moment.symmetric_tensor(), velocity.tensor(), nsum};
+  return {-moment.symmetric_tensor(), -velocity.tensor(), nsum};
 }
 
 template <int D>

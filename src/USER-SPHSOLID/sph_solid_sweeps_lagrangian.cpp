@@ -218,6 +218,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const double a1_of_sums = 0.25 * opt.a1, a2_of_sum = 0.5 * opt.a2;    // of both particles
   const int rho0 = at_rho;
   const Pack zero(0.0), one(1.0), least_r2(LEAST_R2);
+  const Components<D> own = Base::own_motion(i);
+  Pack own_X[D];
+  for (int a = 0; a < D; a++) own_X[a] = component(i, REFERENCE + a);
+  const Pack own_c = component(i, SOUND), own_density = component(i, DENSITY),
+             own_impedance = component(i, IMPEDANCE);
   Pack stress[D], central[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
   each_index<D>([&](auto a) {
@@ -232,7 +237,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const float *constant = constants.of(s - first);
     const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
-    difference(i, j, REFERENCE, X);
+    for (int a = 0; a < D; a++) X[a] = own_X[a] - component(j, REFERENCE + a);
     each_index<D>([&](auto a) {
       Pack t = component(j, T + D * a) * X[0];
       for (int b = 1; b < D; b++) t = multiply_add(component(j, T + D * a + b), X[b], t);
@@ -240,12 +245,12 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     });
     if (!VISCOUS && !HOURGLASS) continue;
 
-    const Components<D> d = motion(i, j);
+    const Components<D> d = motion(own, j);
     const Pack r2 = maximum(d.x_dot_x(), least_r2), vr = d.v_dot_x();
     // sums of both, and with one division 1/x^2 and 1 over the sums
     Pack rhos = one, impedances = one;
     if (UNLIKE && VISCOUS) rhos = component(i, rho0) + component(j, rho0);
-    if (HOURGLASS) impedances = component(i, IMPEDANCE) + component(j, IMPEDANCE);
+    if (HOURGLASS) impedances = own_impedance + component(j, IMPEDANCE);
     const Pack sums = HOURGLASS ? rhos * impedances : rhos;
     const Pack inverse = 1.0 / (UNLIKE ? r2 * sums : r2);
     const Pack inv_r2 = UNLIKE ? inverse * sums : inverse;
@@ -258,7 +263,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     if (HOURGLASS) {
       Pack impedance = impedances;
       if (UNLIKE)
-        impedance = 4.0 * component(i, IMPEDANCE) * component(j, IMPEDANCE) * (inverse * r2 * rhos);
+        impedance = 4.0 * own_impedance * component(j, IMPEDANCE) * (inverse * r2 * rhos);
       const Pack rest = multiply_add(BOTH ? li + lj : li, Pack(-0.5), vr);
       const Pack per_weight = impedance * f * rest * inv_r2;
       store(damping + k, per_weight);
@@ -271,12 +276,12 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       const Pack jump = jump_left<FORM>(vr, li, lj, on);
       const Pack mu =
           minimum(jump, zero) * load(constant + Slots::NEARNESS) * square_root(r2) * inv_r2;
-      Pack rho = component(i, DENSITY) + component(j, DENSITY);    // twice the mean, with tr B/D
+      Pack rho = own_density + component(j, DENSITY);    // twice the mean, with tr B/D
       if (UNLIKE)
         rho = 2.0 * (inverse * r2 * impedances) *
             (component(i, rho0) * component(j, DENSITY) +
              component(j, rho0) * component(i, DENSITY));
-      const Pack c = component(i, SOUND) + component(j, SOUND);
+      const Pack c = own_c + component(j, SOUND);
       Pack Pi = rho * mu * (a2_of_sum * mu - a1_of_sums * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
       const Pack per_weight = Pi * (f * dot<D>(X, X)) * inv_r2;

@@ -104,6 +104,16 @@ inline SinglePack rounded(Pack v)
 {
   return SinglePack(narrowed(v.native()));
 }
+inline Pack widened(SinglePack v)
+{
+  return Pack(widened(v.native()));
+}
+inline SinglePack load_single(const float *from)
+{
+  NativeSingle n;
+  std::memcpy(&n, from, sizeof(n));
+  return SinglePack(n);
+}
 inline void store(float *to, SinglePack v)
 {
   std::memcpy(to, &v.native(), sizeof(NativeSingle));
@@ -164,6 +174,10 @@ inline unsigned positive_lanes(Pack a)
 {
   return native_positive_lanes(a.native());
 }
+inline unsigned positive_lanes(SinglePack a)
+{
+  return native_positive_lanes(a.native());
+}
 inline Pack where_lanes(unsigned lanes, Pack a, Pack b)
 {
   return Pack(native_where_lanes(lanes, a.native(), b.native()));
@@ -186,6 +200,10 @@ inline Pack minimum(Pack a, Pack b)
 inline Pack maximum(Pack a, Pack b)
 {
   return Pack(native_maximum(a.native(), b.native()));
+}
+inline SinglePack maximum(SinglePack a, SinglePack b)
+{
+  return SinglePack(native_maximum(a.native(), b.native()));
 }
 
 inline double square_root(double a)
