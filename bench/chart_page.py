@@ -160,9 +160,6 @@ CPU time is the user time that the operating system booked for the loops of LAMM
 processes ran on the same machine, so a time is uncertain by a quarter; runs that are compared were made close together in
 time, and those shorter than a second three times (the median counts). All runs on one processor.
 
-Runs of the Eulerian frame are of a program with rows of pairs. Since then its particles lie in columns, as those of the Lagrangian frame
-do, and its steps take about half of the time shown here (rod of 41 x 133 particles: 0.57); errors differ by rounding and what it grows to.
-
 .. image:: chart/summary.png
    :width: 100%
    :alt: error against CPU time for four scenes

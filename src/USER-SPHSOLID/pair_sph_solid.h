@@ -89,12 +89,12 @@ class PairSPHSolid : public Pair {
   void require_energy(const char *) const;    // stop if not; for whom, for the message
   bool moves(int) const;                      // does a fix sph/solid move own atom i?
   bool kicks(int) const;                      // or one that kicks as it does?
-  bool has_material(int i) const    // of own atom i: in a hybrid, others may have none
+  bool has_material(int i) const              // of own atom i: in a hybrid, others may have none
   {
     const int t = atom->type[i];
     return setflag[t][t] != 0;
   }
-  double time_step_limit() const;             // own atoms, Courant number 1 [time]
+  double time_step_limit() const;    // own atoms, Courant number 1 [time]
   // those of fix sph/solid/dt auto; want_courant_number() before a run, or it is not looked for
   double usual_time_step_limit() const;
   double usual_courant_number() const;

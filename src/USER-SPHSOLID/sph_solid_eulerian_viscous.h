@@ -61,8 +61,7 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
     for (int n = 0; n < pairs.near_count[block]; n++) {
       const double *j = neighbors(pairs.further[near[n]]);
       const Pack w = near_factor(first + n * LANES, i, j);
-      for (int a = 0; a < D; a++)
-        f[a] = multiply_add(w, own_along[a] - component(j + at, a), f[a]);
+      for (int a = 0; a < D; a++) f[a] = multiply_add(w, own_along[a] - component(j + at, a), f[a]);
     }
     const Pack half_mass = 0.5 * batch.load(p.mass);
     for (int a = 0; a < D; a++) f[a] *= half_mass;

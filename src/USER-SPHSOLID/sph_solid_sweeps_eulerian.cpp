@@ -132,8 +132,8 @@ void EulerianSweeps<D>::find_factors(int block, Finding &found)
     const Pack hinv = UNIFORM ? common_inverse : 1.0 / load(length + k);
     const SinglePack q =
         square_root(rounded(maximum(load(distance2 + k) * (hinv * hinv), Pack(LEAST_Q2))));
-    const SinglePack scale =
-        UNIFORM ? common_scale : rounded(per_unit * Kernel::gradient_scale(hinv));
+    const SinglePack scale = UNIFORM ? common_scale
+                                     : rounded(per_unit * Kernel::gradient_scale(hinv));
     store(factors + k, scale * Kernel::gradient_shape(q, 1.0 / q));
     store(to_q + k, q);
   }
@@ -322,7 +322,7 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
   const double a1 = opt.a1, a2 = opt.a2;
   const Components<D> own = Side::own_motion(i);
   const Pack zero(0.0), one(1.0), same_h(common_h), rho = component(i, RHO),
-             c = component(i, SOUND);
+                                                    c = component(i, SOUND);
   Pack stress[D], g[D], crowded_g[D], pulled[D], whole[D], mu_least = zero;    // sums over pairs
   each_index<D>([&](auto a) {
     stress[a] = g[a] = crowded_g[a] = pulled[a] = whole[a] = zero;

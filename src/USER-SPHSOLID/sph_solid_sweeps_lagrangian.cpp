@@ -262,8 +262,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       li = stretching(i, j, at_rate, d.x);
     if (HOURGLASS) {
       Pack impedance = impedances;
-      if (UNLIKE)
-        impedance = 4.0 * own_impedance * component(j, IMPEDANCE) * (inverse * r2 * rhos);
+      if (UNLIKE) impedance = 4.0 * own_impedance * component(j, IMPEDANCE) * (inverse * r2 * rhos);
       const Pack rest = multiply_add(BOTH ? li + lj : li, Pack(-0.5), vr);
       const Pack per_weight = impedance * f * rest * inv_r2;
       store(damping + k, per_weight);

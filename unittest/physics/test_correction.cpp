@@ -225,7 +225,8 @@ TEST(Filter, MatchesItsDefinition)
           all += term.norm();
         }
         // Wbar_ij and n
-        EXPECT_LT((c.f(i) - 0.5 * c.mass[i] * sum).norm(), 2 * KERNEL_ERROR * 0.5 * c.mass[i] * all);
+        EXPECT_LT((c.f(i) - 0.5 * c.mass[i] * sum).norm(),
+                  2 * KERNEL_ERROR * 0.5 * c.mass[i] * all);
       }
     }
 }

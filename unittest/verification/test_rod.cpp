@@ -131,7 +131,8 @@ TEST_P(Rod, IsTheSameOnAllRanks)
 }
 
 // half a rod and its mirror image are a whole one, at the time of largest changes: to rounding, and
-// half of the energies
+// half of the energies.  Rounding differs at 1e-16, and in a few pairs of 10^8 the Eulerian frame then rounds a
+// distance the other way to single precision
 
 TEST(HalfRod, IsHalfOfTheWholeOne)
 {
@@ -141,8 +142,9 @@ TEST(HalfRod, IsHalfOfTheWholeOne)
              half = rod(MPI_COMM_SELF, "off", 2, h, "half").back();
   EXPECT_EQ(whole.state.size(), 21u * 67u);
   EXPECT_EQ(half.state.size(), 11u * 67u);
-  EXPECT_NEAR(half.length / whole.length, 1.0, 1.0e-12);
-  EXPECT_NEAR(half.foot / whole.foot, 1.0, 1.0e-12);
+  const double rounding = frame_under_test() == "lagrangian" ? 1.0e-12 : 1.0e-11;
+  EXPECT_NEAR(half.length / whole.length, 1.0, rounding);
+  EXPECT_NEAR(half.foot / whole.foot, 1.0, rounding);
   for (int i = 0; i < 8; i++)
     EXPECT_NEAR(2.0 * half.energy[i], whole.energy[i], 1.0e-11 * whole.energy[7]) << i;
 }
