@@ -85,20 +85,7 @@ inline void store(double *to, Pack v)
   std::memcpy(to, &v.native(), sizeof(Native));
 }
 
-// the same in single precision; stored is the number as it is then
-
-inline Pack load(const float *from)
-{
-  NativeSingle n;
-  std::memcpy(&n, from, sizeof(n));
-  return Pack(widened(n));
-}
-inline Pack store_rounded(float *to, Pack v)
-{
-  const NativeSingle n = narrowed(v.native());
-  std::memcpy(to, &n, sizeof(n));
-  return Pack(widened(n));
-}
+// between the two precisions; rounded is to nearest
 
 inline SinglePack rounded(Pack v)
 {
@@ -108,11 +95,18 @@ inline Pack widened(SinglePack v)
 {
   return Pack(widened(v.native()));
 }
+
+// what is kept in single precision
+
 inline SinglePack load_single(const float *from)
 {
   NativeSingle n;
   std::memcpy(&n, from, sizeof(n));
   return SinglePack(n);
+}
+inline Pack load(const float *from)
+{
+  return widened(load_single(from));
 }
 inline void store(float *to, SinglePack v)
 {
