@@ -110,28 +110,35 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
       for (int b = 0; b < D; b++) t(a, b) = component(at, c + D * a + b);
     return t;
   }
+  // D components from c on
+  static void load_own(const double *i, int c, Pack *out)
+  {
+    for (int a = 0; a < D; a++) out[a] = component(i, c + a);
+  }
+  static void difference(const Pack *own, const double *j, int c, Pack *out)
+  {
+    for (int a = 0; a < D; a++) out[a] = own[a] - component(j, c + a);
+  }
   static void difference(const double *i, const double *j, int c, Pack *out)
   {
-    for (int a = 0; a < D; a++) out[a] = component(i, c + a) - component(j, c + a);
+    Pack own[D];
+    load_own(i, c, own);
+    difference(own, j, c, out);
   }
   static Components<D> motion(const double *i, const double *j) { return motion(own_motion(i), j); }
   // of a particle itself: in a sweep's loop the compiler would read it again for every neighbor
   static Components<D> own_motion(const double *i)
   {
     Components<D> own;
-    for (int a = 0; a < D; a++) {
-      own.x[a] = component(i, X + a);
-      own.v[a] = component(i, V + a);
-    }
+    load_own(i, X, own.x);
+    load_own(i, V, own.v);
     return own;
   }
   static Components<D> motion(const Components<D> &own, const double *j)
   {
     Components<D> d;
-    for (int a = 0; a < D; a++) {
-      d.x[a] = own.x[a] - component(j, X + a);
-      d.v[a] = own.v[a] - component(j, V + a);
-    }
+    difference(own.x, j, X, d.x);
+    difference(own.v, j, V, d.v);
     return d;
   }
   void store_tensor(int column, int c, const Tensors &t)

@@ -214,6 +214,17 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   template <PairForm FORM, bool TENSILE, bool UNIFORM>
   void force_block(const Particles &, int block, const Batch &);
 
+  // slots with a nearest neighbor of a block, and where what is kept of their pairs begins
+  struct Nearest {
+    const int *slot;
+    int count;
+    std::size_t pair;
+  };
+  Nearest nearest(int block) const
+  {
+    const int first = pairs.near_first[block];
+    return {pairs.near.data() + first, pairs.near_count[block], first * std::size_t(LANES)};
+  }
   // correction: what the force of a pair is along, and what it is times m_i/2
   int along() const { return safe() ? X : at_da; }
   Pack near_factor(std::size_t pair, const double *i, const double *j) const

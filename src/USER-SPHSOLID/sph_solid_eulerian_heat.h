@@ -104,8 +104,7 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
   const bool printed = opt.heating == Heating::PRINTED && !safe(),
              alone = opt.weights == Weights::SHEPARD && !printed;    // its own loss
   const double *i = columns.at(block * LANES);
-  const int *near = pairs.near.data() + pairs.near_first[block];
-  const std::size_t first = pairs.near_first[block] * std::size_t(LANES);
+  const Nearest near = nearest(block);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   const int at = along();
   Pack own_moved[D], own_force[D];
@@ -115,15 +114,15 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
   }
   const Pack minus_moved(alone ? 0.0 : -1.0), minus_force(printed ? -2.0 : -1.0);
   Pack power = 0.0;
-  for (int n = 0; n < pairs.near_count[block]; n++) {
-    const double *j = neighbors(pairs.further[near[n]]);
+  for (int n = 0; n < near.count; n++) {
+    const double *j = neighbors(pairs.further[near.slot[n]]);
     Pack of_pair = 0.0;
     each_index<D>([&](auto a) {
       const Pack moved = multiply_add(minus_moved, component(j, V + a), own_moved[a]),
                  force = multiply_add(minus_force, component(j, at + a), own_force[a]);
       of_pair = multiply_add(moved, force, of_pair);
     });
-    power = multiply_add(near_factor(first + n * LANES, i, j), of_pair, power);
+    power = multiply_add(near_factor(near.pair + n * LANES, i, j), of_pair, power);
   }
   return power;
 }
@@ -137,9 +136,8 @@ typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Partic
                                                                     const Batch &batch) const
 {
   const double *i = columns.at(block * LANES);
-  const std::size_t first = pairs.near_first[block] * std::size_t(LANES);
+  const Nearest near = nearest(block);
   const Pack mass = batch.load(p.mass), own_K = component(i, K);
-  const int *near = pairs.near.data() + pairs.near_first[block];
   TensorSums<D> sum;
   Neighbors neighbors(*this, block, X, components());
   int n = 0;    // of the nearest ones
@@ -162,8 +160,8 @@ typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Partic
       }
       f[a] = unit_factor * (KF * t - central * d.x[a]);
     }
-    if (needs_correction() && n < pairs.near_count[block] && near[n] == s) {
-      const Pack w = 0.5 * mass * near_factor(first + n++ * LANES, i, j);
+    if (needs_correction() && n < near.count && near.slot[n] == s) {
+      const Pack w = 0.5 * mass * near_factor(near.pair + n++ * LANES, i, j);
       for (int a = 0; a < D; a++)
         f[a] += w * (component(i, along() + a) - component(j, along() + a));
     }

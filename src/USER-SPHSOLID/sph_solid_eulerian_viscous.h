@@ -50,17 +50,16 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
     if (safe()) safe_pulls(block);
     const std::ptrdiff_t at = along() * std::ptrdiff_t(NEXT);
     const double *i = columns.at(block * LANES);
-    const int *near = pairs.near.data() + pairs.near_first[block];
-    const std::size_t first = pairs.near_first[block] * std::size_t(LANES);
+    const Nearest near = nearest(block);
     Pack own_along[D], f[D];
     for (int a = 0; a < D; a++) {
       own_along[a] = component(i + at, a);
       f[a] = 0.0;
     }
     Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
-    for (int n = 0; n < pairs.near_count[block]; n++) {
-      const double *j = neighbors(pairs.further[near[n]]);
-      const Pack w = near_factor(first + n * LANES, i, j);
+    for (int n = 0; n < near.count; n++) {
+      const double *j = neighbors(pairs.further[near.slot[n]]);
+      const Pack w = near_factor(near.pair + n * LANES, i, j);
       for (int a = 0; a < D; a++) f[a] = multiply_add(w, own_along[a] - component(j + at, a), f[a]);
     }
     const Pack half_mass = 0.5 * batch.load(p.mass);
@@ -74,12 +73,11 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
 template <int D> void EulerianSweeps<D>::safe_pulls(int block)
 {
   const double *i = columns.at(block * LANES);
-  const int *near = pairs.near.data() + pairs.near_first[block];
-  const std::size_t first = pairs.near_first[block] * std::size_t(LANES);
+  const Nearest near = nearest(block);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
-  for (int n = 0; n < pairs.near_count[block]; n++) {
-    const double *j = neighbors(pairs.further[near[n]]);
-    const std::size_t k = first + n * LANES;
+  for (int n = 0; n < near.count; n++) {
+    const double *j = neighbors(pairs.further[near.slot[n]]);
+    const std::size_t k = near.pair + n * LANES;
     store(&pairs.near_pull[k], weight(k, i, j) * Side::safe_pull_of(i, j, at_da));
   }
 }

@@ -61,6 +61,15 @@ inline int whole_vectors(int n)
   return (n + LANES - 1) / LANES * LANES;
 }
 
+// one after the other, where no instruction finds them: which lanes are positive, as bits
+
+template <class V> inline unsigned lanes_that_are_positive(const V &a)
+{
+  unsigned lanes = 0;
+  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0 ? 1u : 0u) << k;
+  return lanes;
+}
+
 #ifdef SPHSOLID_PORTABLE_VECTOR
 
 template <class T> struct PortableVector {
@@ -132,9 +141,7 @@ inline PortableVector<T> native_where_positive(const PortableVector<T> &conditio
 }
 template <class T> inline unsigned native_positive_lanes(const PortableVector<T> &a)
 {
-  unsigned lanes = 0;
-  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0 ? 1u : 0u) << k;
-  return lanes;
+  return lanes_that_are_positive(a);
 }
 inline Native native_where_lanes(unsigned lanes, const Native &a, const Native &b)
 {
@@ -231,9 +238,7 @@ inline unsigned native_positive_lanes(Native a)
 #elif defined(__AVX__) && SPHSOLID_LANES == 4
   return _mm256_movemask_pd(_mm256_cmp_pd(a, Native{}, _CMP_GT_OQ));
 #else
-  unsigned lanes = 0;
-  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0.0 ? 1u : 0u) << k;
-  return lanes;
+  return lanes_that_are_positive(a);
 #endif
 }
 inline Native native_where_lanes(unsigned lanes, Native a, Native b)
@@ -295,9 +300,7 @@ inline unsigned native_positive_lanes(NativeSingle a)
 #elif defined(__AVX__)
   return _mm_movemask_ps(_mm_cmp_ps(a, NativeSingle{}, _CMP_GT_OQ));
 #else
-  unsigned lanes = 0;
-  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0.0f ? 1u : 0u) << k;
-  return lanes;
+  return lanes_that_are_positive(a);
 #endif
 }
 // GCC 12 converts eight numbers in halves

@@ -220,7 +220,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const Pack zero(0.0), one(1.0), least_r2(LEAST_R2);
   const Components<D> own = Base::own_motion(i);
   Pack own_X[D];
-  for (int a = 0; a < D; a++) own_X[a] = component(i, REFERENCE + a);
+  Base::load_own(i, REFERENCE, own_X);
   const Pack own_c = component(i, SOUND), own_density = component(i, DENSITY),
              own_impedance = component(i, IMPEDANCE);
   Pack stress[D], central[D], replaced[D];    // sums over pairs
@@ -237,7 +237,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const float *constant = constants.of(s - first);
     const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
     Pack X[D];
-    for (int a = 0; a < D; a++) X[a] = own_X[a] - component(j, REFERENCE + a);
+    difference(own_X, j, REFERENCE, X);
     each_index<D>([&](auto a) {
       Pack t = component(j, T + D * a) * X[0];
       for (int b = 1; b < D; b++) t = multiply_add(component(j, T + D * a + b), X[b], t);
@@ -278,8 +278,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       Pack rho = own_density + component(j, DENSITY);    // twice the mean, with tr B/D
       if (UNLIKE)
         rho = 2.0 * (inverse * r2 * impedances) *
-            (component(i, rho0) * component(j, DENSITY) +
-             component(j, rho0) * component(i, DENSITY));
+            (component(i, rho0) * component(j, DENSITY) + component(j, rho0) * own_density);
       const Pack c = own_c + component(j, SOUND);
       Pack Pi = rho * mu * (a2_of_sum * mu - a1_of_sums * c);
       if (FORM == PairForm::SWITCHED) Pi *= on;
