@@ -127,13 +127,7 @@ inline double least(Pack a)
 
 inline bool all_positive(Pack a)
 {
-#if defined(SPHSOLID_AVX512)
-  return _mm512_cmp_pd_mask(a.native(), Native{}, _CMP_GT_OQ) == 0xFF;
-#else
-  bool all = true;
-  for (int k = 0; k < LANES; k++) all = all && a[k] > 0.0;
-  return all;
-#endif
+  return larger_lanes(a, Pack(0.0)) == (1u << LANES) - 1;
 }
 
 // four rows become four columns

@@ -59,6 +59,9 @@ class Columns {
   double *at(int column) { return data.data() + place(column); }
   const double *at(int column) const { return data.data() + place(column); }
 
+  // doubles from one column to another, not more than FURTHEST away (sph_solid_slots.h)
+  int from(int column, int other) const { return static_cast<int>(at(other) - at(column)); }
+
   // LANES columns from a multiple of LANES on
   void store(int column, int component, Pack v) { store(column, component, &v, 1); }
   // of count components from first on

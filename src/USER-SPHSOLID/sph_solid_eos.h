@@ -50,12 +50,24 @@ inline Compression<> compression(const Material &m)
   return {a0, a0 * (1.0 + 2.0 * s), a0 * (2.0 * s + 3.0 * s * s), m.Gamma};
 }
 
+// density of now and of the reference, and the inverse of both with one division
+
+template <class Real> struct Densities {
+  Real rho, rho_ref, inv_rho, inv_rho_ref;
+  Densities(Real now, Real ref) : rho(now), rho_ref(ref)
+  {
+    const Real inverse = 1.0 / (rho * rho_ref);
+    inv_rho = inverse * rho_ref;
+    inv_rho_ref = inverse * rho;
+  }
+};
+
 // e in energy/mass, zero at (rho_ref, P = 0)
 
 template <class Real>
-inline PressureState<Real> pressure(const Compression<Real> &k, Real rho, Real rho_ref, Real e)
+inline PressureState<Real> pressure(const Compression<Real> &k, const Densities<Real> &of, Real e)
 {
-  const Real eta = rho / rho_ref - 1.0;
+  const Real eta = (of.rho - of.rho_ref) * of.inv_rho_ref;
   const Real b0 = where_positive(eta, k.b0, Real(0.0));
   const Real c0 = where_positive(eta, k.c0, Real(0.0));
 
@@ -64,15 +76,16 @@ inline PressureState<Real> pressure(const Compression<Real> &k, Real rho, Real r
   const Real thermal = 1.0 - 0.5 * k.Gamma * eta;
 
   PressureState<Real> out;
-  out.P = thermal * P_H + k.Gamma * rho * e;    // eq. 8
+  out.P = thermal * P_H + k.Gamma * of.rho * e;    // eq. 8
   // c^2 = dP/drho|_e + (P/rho^2) dP/de|_rho
-  out.c2 = (thermal * dP_H - 0.5 * k.Gamma * P_H) / rho_ref + k.Gamma * e + k.Gamma * out.P / rho;
+  out.c2 =
+      (thermal * dP_H - 0.5 * k.Gamma * P_H) * of.inv_rho_ref + k.Gamma * (e + out.P * of.inv_rho);
   return out;
 }
 
 inline PressureState<> pressure(const Material &m, double rho, double rho_ref, double e)
 {
-  return pressure(compression(m), rho, rho_ref, e);
+  return pressure(compression(m), Densities<double>(rho, rho_ref), e);
 }
 
 }    // namespace SPHSolid

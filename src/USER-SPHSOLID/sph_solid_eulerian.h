@@ -109,11 +109,11 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
 
   // slots of candidates, until neighbors are new
   struct Candidates {
-    std::vector<int> first{0};              // of each block, and one behind the last
-    std::vector<std::ptrdiff_t> further;    // see Slots
-    std::vector<unsigned char> lanes;       // which lanes have one
-    std::vector<char> mirrored;             // is an image among them?
-    std::vector<int> gathered;              // LANES columns each
+    std::vector<int> first{0};           // of each block, and one behind the last
+    std::vector<int> further;            // see GATHERED
+    std::vector<unsigned char> lanes;    // which lanes have one
+    std::vector<char> mirrored;          // is an image among them?
+    std::vector<int> gathered;           // LANES columns each
     std::size_t count = 0;
     void append(const Candidates &);
   } candidates;
@@ -126,7 +126,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   // candidates.  grad_i W = factor/h0^(D+2) x_ij
   struct Pairs {
     std::vector<int> first, count, near_first, near_count;    // of blocks
-    Room<std::ptrdiff_t> further;
+    Room<int> further;
     Room<unsigned char> lanes;    // which lanes have a pair
     Room<float> factor;           // 0 in the others
     Room<int> near;               // slots with a nearest neighbor
@@ -166,10 +166,10 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
         of(s), i(s.columns.at(block * LANES)), first(from), end(to), second(from2), second_end(to2)
     {
     }
-    [[gnu::always_inline]] const double *operator()(std::ptrdiff_t further)
+    [[gnu::always_inline]] const double *operator()(int further)
     {
-      if (further < Slots::GATHERED) return i + further;
-      return gathered(&of.candidates.gathered[(further - Slots::GATHERED) * LANES]);
+      if (further < GATHERED) return i + further;
+      return gathered(&of.candidates.gathered[std::size_t(further - GATHERED) * LANES]);
     }
 
    private:

@@ -244,7 +244,7 @@ template <int D> struct EulerianSweeps<D>::Arranging {
     const std::int64_t j = lane[m][next[m]];
     rank[m] = static_cast<int>(j >> 32) - static_cast<int>(of.ranked[of.own[first + m]] >> 32);
     apart[m] = column(j) - (first + m);
-    if (PRICE * with(apart[m]) <= LANES) rare |= 1u << m;
+    if (PRICE * with(apart[m]) <= LANES || !is_within_reach(apart[m])) rare |= 1u << m;
   }
   void add_slot(int first, bool side_by_side, int further, unsigned taken)
   {
@@ -254,10 +254,10 @@ template <int D> struct EulerianSweeps<D>::Arranging {
     found.lanes.push_back(static_cast<unsigned char>(taken));
     found.mirrored.push_back(mirrored);
     if (side_by_side) {
-      found.further.push_back(of.columns.at(first + further) - of.columns.at(first));
+      found.further.push_back(of.columns.from(first, first + further));
       return;
     }
-    found.further.push_back(Slots::GATHERED + static_cast<int>(found.gathered.size()) / LANES);
+    found.further.push_back(GATHERED + static_cast<int>(found.gathered.size() / LANES));
     for (int m = 0; m < LANES; m++)
       found.gathered.push_back(taken >> m & 1 ? first + m + apart[m] : first + m);
   }
@@ -266,11 +266,10 @@ template <int D> struct EulerianSweeps<D>::Arranging {
 template <int D> void EulerianSweeps<D>::Candidates::append(const Candidates &other)
 {
   count += other.count;
-  const int slots = first.back(), vectors = static_cast<int>(gathered.size()) / LANES;
+  const int slots = first.back(), vectors = static_cast<int>(gathered.size() / LANES);
   for (std::size_t block = 1; block < other.first.size(); block++)
     first.push_back(slots + other.first[block]);
-  for (const std::ptrdiff_t n : other.further)
-    further.push_back(n < Slots::GATHERED ? n : n + vectors);
+  for (const int n : other.further) further.push_back(n < GATHERED ? n : n + vectors);
   lanes.insert(lanes.end(), other.lanes.begin(), other.lanes.end());
   mirrored.insert(mirrored.end(), other.mirrored.begin(), other.mirrored.end());
   gathered.insert(gathered.end(), other.gathered.begin(), other.gathered.end());
@@ -337,13 +336,13 @@ template <int D> double EulerianSweeps<D>::memory_usage() const
   };
   const std::size_t ints = candidates.first.capacity() + candidates.gathered.capacity() +
       4 * pairs.first.capacity() + own.capacity() + column_of.capacity() + 2 * ranked.capacity() +
-      image_first.capacity() + image_j.capacity() + near + all * LANES;
+      image_first.capacity() + image_j.capacity() + candidates.further.capacity() + near +
+      all * (LANES + 1);
   return columns.memory_usage() +
-      static_cast<double>(
-             ints * sizeof(int) + candidates.lanes.capacity() + candidates.mirrored.capacity() +
-             all + (candidates.further.capacity() + all) * sizeof(std::ptrdiff_t) +
-             used(pairs.near_kernel, near) + used(pairs.near_pull, near) + used(pairs.pull, all) +
-             used(pairs.crowd, all) + mu_max.capacity() * sizeof(double));
+      static_cast<double>(ints * sizeof(int) + candidates.lanes.capacity() +
+                          candidates.mirrored.capacity() + all + used(pairs.near_kernel, near) +
+                          used(pairs.near_pull, near) + used(pairs.pull, all) +
+                          used(pairs.crowd, all) + mu_max.capacity() * sizeof(double));
 }
 
 }    // namespace

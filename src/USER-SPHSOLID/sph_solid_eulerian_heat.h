@@ -53,41 +53,41 @@ void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *h
 }
 
 // what the forces of pairs give to i while particles move by u.  Stress: K_i T_i : sum_j
-// K_j (u_j - u_i) (x) g, the sigma_i half of eq. 20, exact adjoint of the force; of the viscosity
-// half of each pair's, without its factors
+// K_j (u_j - u_i) (x) g, the sigma_i half of eq. 20, exact adjoint of the force, and the same of the
+// artificial stress; of the viscosity half of each pair's, without its factors
 
 template <int D>
 template <bool PULL, bool TENSILE>
 void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
 {
   const double *i = columns.at(block * LANES);
-  const Tensors own_T = tensor(i, T), own_R = TENSILE ? tensor(i, at_tension) : own_T;
   const int first = pairs.first[block], count = pairs.count[block];
-  const std::ptrdiff_t *further = pairs.further.data() + first;
+  const int *further = pairs.further.data() + first;
   const std::size_t first_pair = first * std::size_t(LANES);
   const float *factors = pairs.factor.data() + first_pair;
   const double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   Neighbors neighbors(*this, block, X, V + D, K, FIXED);
   const Components<D> own = Side::own_motion(i);
-  Pack sum = 0.0, pulled = 0.0;
+  TensorSums<D> moved, crowded;
+  Pack pulled = 0.0;
   for (int s = 0; s < count; s++) {
     const double *j = neighbors(further[s]);
     const Components<D> d = motion(own, j);
-    Pack of_pair = 0.0;
-    each_index<D>([&](auto a) {
-      Pack t = 0.0, r = 0.0;
-      for (int b = 0; b < D; b++) {
-        t = multiply_add(own_T(a(), b), d.x[b], t);
-        if (TENSILE) r = multiply_add(own_R(a(), b), d.x[b], r);
-      }
-      if (TENSILE) t = multiply_add(load(crowds + s * LANES), r, t);
-      of_pair = multiply_add(d.v[a], t, of_pair);
-    });
-    sum = multiply_add(load(factors + s * LANES) * component(j, K), of_pair, sum);
+    const Pack KF = load(factors + s * LANES) * component(j, K);
+    Pack g[D];
+    for (int a = 0; a < D; a++) g[a] = KF * d.x[a];
+    moved.add(d.v, g);
+    if (TENSILE) {
+      const Pack crowd = load(crowds + s * LANES);
+      for (int a = 0; a < D; a++) g[a] *= crowd;
+      crowded.add(d.v, g);
+    }
     if (PULL)
       pulled =
           multiply_add(Side::heated_pull(i, j, LAST, load(pulls + s * LANES)), d.v_dot_x(), pulled);
   }
+  Pack sum = moved.tensor().cwiseProduct(tensor(i, T)).sum();
+  if (TENSILE) sum += crowded.tensor().cwiseProduct(tensor(i, at_tension)).sum();
   stress = -unit_factor * component(i, K) * sum;
   viscous = pulled;
 }

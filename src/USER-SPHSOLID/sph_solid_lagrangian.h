@@ -114,8 +114,8 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   Slots slots;
   // of own particles: B on and above the diagonal, F, sum V0_j g_ij
   Rows B, F, gradient_sum;
-  Rows damp;    // of slots: hourglass force on i = V0_i WEIGHT_j damp x_ij
-  Rows pull;    // the same for viscous forces, -V0_i WEIGHT_j pull x_ij, kept for heat
+  Rows damp;    // of slots: hourglass force on i = V0_i damp x_ij
+  Rows pull;    // the same for viscous forces, -V0_i pull x_ij, kept for heat
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
   SharedVectors<double, LANES> near_weight;
@@ -156,9 +156,9 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
     }
     [[gnu::always_inline]] const double *operator()(int slot)
     {
-      const std::ptrdiff_t n = further[slot];
-      if (n < Slots::GATHERED) return i + n;
-      return gathered(&of.slots.gathered[(n - Slots::GATHERED) * LANES]);
+      const int n = further[slot];
+      if (n < GATHERED) return i + n;
+      return gathered(&of.slots.gathered[std::size_t(n - GATHERED) * LANES]);
     }
     // ask for what the blocks to come read of the columns that this slot reads
     template <int END> void prefetch_ahead(int slot, const double *j) const
@@ -170,7 +170,7 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
 
    private:
     const LagrangianSweeps &of;
-    const std::ptrdiff_t *const further;
+    const int *const further;
     const char *const foremost;
     const double *const i;
     const int last;

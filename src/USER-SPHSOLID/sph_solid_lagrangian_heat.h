@@ -38,11 +38,10 @@ inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double 
     const Pack x = WORK == Work::DUE ? d.x[a] - kept.drift * d.v[a] : d.x[a];
     along = multiply_add(d.v[a], x, along);
   }
-  const Pack weighted = along * component(j, WEIGHT);
-  if (kept.damping) work.hourglass = multiply_add(load(kept.damping + k), weighted, work.hourglass);
+  if (kept.damping) work.hourglass = multiply_add(load(kept.damping + k), along, work.hourglass);
   if (kept.pulls)
     work.viscous =
-        multiply_add(Base::heated_pull(i, j, LAST, load(kept.pulls + k)), weighted, work.viscous);
+        multiply_add(Base::heated_pull(i, j, LAST, load(kept.pulls + k)), along, work.viscous);
 }
 
 // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
@@ -174,11 +173,10 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
     const int n = s - slots.first[block];
     const double *j = neighbors(s);
     const Components<D> d = motion(i, j);
-    const Pack weight = component(j, WEIGHT);
     Pack reference[D], f[D], central = 0.0;
     difference(i, j, REFERENCE, reference);
-    if (opt.hourglass > 0.0) central += load(&damp[k]) * weight;
-    if (keeps_pairs()) central -= Base::whole_pull(i, j, LAST, load(&pull[k])) * weight;
+    if (opt.hourglass > 0.0) central += load(&damp[k]);
+    if (keeps_pairs()) central -= Base::whole_pull(i, j, LAST, load(&pull[k]));
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++)

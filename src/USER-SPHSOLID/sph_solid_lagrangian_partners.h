@@ -298,22 +298,22 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       nsum[m] = 0.0;
     }
     collect(block);
-    arrange(
-        partners, block * LANES, PRICE[of.with_rows],
-        [&](bool side_by_side, int offset, const int *which) {
-          slots.further[s] = Slots::GATHERED + gathered;
-          if (side_by_side)
-            slots.further[s] = of.columns.at(block * LANES + offset) - of.columns.at(block * LANES);
-          offsets.push_back(side_by_side ? offset : 0);
-          for (int m = 0; m < LANES; m++) {
-            const Partner *partner = which[m] >= 0 ? &partners[m][which[m]] : nullptr;
-            if (!side_by_side)
-              slots.gathered[gathered * LANES + m] = partner ? partner->column : block * LANES + m;
-            if (partner) fill_pair(block, m, s - first, *partner);
-          }
-          if (!side_by_side) gathered++;
-          s++;
-        });
+    arrange(partners, block * LANES, PRICE[of.with_rows],
+            [&](bool side_by_side, int offset, const int *which) {
+              slots.further[s] = side_by_side
+                  ? of.columns.from(block * LANES, block * LANES + offset)
+                  : GATHERED + gathered;
+              offsets.push_back(side_by_side ? offset : 0);
+              for (int m = 0; m < LANES; m++) {
+                const Partner *partner = which[m] >= 0 ? &partners[m][which[m]] : nullptr;
+                if (!side_by_side)
+                  slots.gathered[gathered * LANES + m] = partner ? partner->column
+                                                                 : block * LANES + m;
+                if (partner) fill_pair(block, m, s - first, *partner);
+              }
+              if (!side_by_side) gathered++;
+              s++;
+            });
     const int left = correct(block);
     enter(block, left);
     find_foremost(block);
@@ -642,8 +642,8 @@ Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane)
 
 template <int D> int LagrangianSweeps<D>::neighbor(int slot, int block, int lane) const
 {
-  const std::ptrdiff_t n = slots.further[slot];
-  if (n >= Slots::GATHERED) return slots.gathered[(n - Slots::GATHERED) * LANES + lane];
+  const int n = slots.further[slot];
+  if (n >= GATHERED) return slots.gathered[std::size_t(n - GATHERED) * LANES + lane];
   return columns.column(columns.at(block * LANES) + n) + lane;
 }
 

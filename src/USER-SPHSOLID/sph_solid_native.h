@@ -61,12 +61,12 @@ inline int whole_vectors(int n)
   return (n + LANES - 1) / LANES * LANES;
 }
 
-// one after the other, where no instruction finds them: which lanes are positive, as bits
+// one after the other, where no instruction finds them: in which lanes a is larger than b, as bits
 
-template <class V> inline unsigned lanes_that_are_positive(const V &a)
+template <class V> inline unsigned lanes_that_are_larger(const V &a, const V &b)
 {
   unsigned lanes = 0;
-  for (int k = 0; k < LANES; k++) lanes |= (a[k] > 0 ? 1u : 0u) << k;
+  for (int k = 0; k < LANES; k++) lanes |= (a[k] > b[k] ? 1u : 0u) << k;
   return lanes;
 }
 
@@ -139,9 +139,10 @@ inline PortableVector<T> native_where_positive(const PortableVector<T> &conditio
     return condition[k] > 0 ? a[k] : b[k];
   });
 }
-template <class T> inline unsigned native_positive_lanes(const PortableVector<T> &a)
+template <class T>
+inline unsigned native_larger_lanes(const PortableVector<T> &a, const PortableVector<T> &b)
 {
-  return lanes_that_are_positive(a);
+  return lanes_that_are_larger(a, b);
 }
 inline Native native_where_lanes(unsigned lanes, const Native &a, const Native &b)
 {
@@ -231,14 +232,14 @@ inline Native native_where_positive(Native condition, Native a, Native b)
   return condition > Native{} ? a : b;
 #endif
 }
-inline unsigned native_positive_lanes(Native a)
+inline unsigned native_larger_lanes(Native a, Native b)
 {
 #if defined(SPHSOLID_AVX512)
-  return _mm512_cmp_pd_mask(a, Native{}, _CMP_GT_OQ);
+  return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ);
 #elif defined(__AVX__) && SPHSOLID_LANES == 4
-  return _mm256_movemask_pd(_mm256_cmp_pd(a, Native{}, _CMP_GT_OQ));
+  return _mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GT_OQ));
 #else
-  return lanes_that_are_positive(a);
+  return lanes_that_are_larger(a, b);
 #endif
 }
 inline Native native_where_lanes(unsigned lanes, Native a, Native b)
@@ -293,14 +294,14 @@ inline NativeSingle native_maximum(NativeSingle a, NativeSingle b)
 {
   return a > b ? a : b;
 }
-inline unsigned native_positive_lanes(NativeSingle a)
+inline unsigned native_larger_lanes(NativeSingle a, NativeSingle b)
 {
 #if defined(__AVX__) && SPHSOLID_LANES == 8
-  return _mm256_movemask_ps(_mm256_cmp_ps(a, NativeSingle{}, _CMP_GT_OQ));
+  return _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GT_OQ));
 #elif defined(__AVX__)
-  return _mm_movemask_ps(_mm_cmp_ps(a, NativeSingle{}, _CMP_GT_OQ));
+  return _mm_movemask_ps(_mm_cmp_ps(a, b, _CMP_GT_OQ));
 #else
-  return lanes_that_are_positive(a);
+  return lanes_that_are_larger(a, b);
 #endif
 }
 // GCC 12 converts eight numbers in halves

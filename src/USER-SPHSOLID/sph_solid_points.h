@@ -129,9 +129,9 @@ template <int D> class PointSweeps : public Sweeps {
     return !needs_correction() || opt.heating == Heating::PRINTED || lonely;
   }
   // of an elastic wave, c that of the bulk
-  template <class Real> static Real longitudinal_speed(Real c, Real shear, Real rho)
+  template <class Real> static Real longitudinal_speed(Real c, Real shear, Real inv_rho)
   {
-    return square_root(c * c + 4.0 * shear / (3.0 * rho));
+    return square_root(c * c + (4.0 / 3.0) * shear * inv_rho);
   }
   template <class Real> Real step_limit(Real h, Real shear, Real rho, Real c, Real mu_max) const;
 
@@ -214,6 +214,7 @@ template <int D> class PointSweeps : public Sweeps {
     PressureState<Pack> eos;
     Tensor<D, Pack> sigma;    // Cauchy stress, tension positive
     Pack plastic_work;        // of this step [energy]
+    Pack inv_rho;
   };
   // of the first n particles of a batch
   static double sum_of_first(Pack v, int n) { return sum(n < LANES ? v * first_lanes(n) : v); }
@@ -359,24 +360,26 @@ PointSweeps<D>::update_points(const Particles &p, const Batch &batch, const Tens
   state.rho = batch.load(p.rho);
   load_deviator(p, batch, state);
   const Pack mass = batch.load(p.mass);
+  Pack plastic_work_density = 0.0;
 
   if (dt > 0.0) {
     using R = Resistance<>;
     const Resistance<Pack> r = {of(resistances, &R::shear), of(resistances, &R::Y),
                                 of(resistances, &R::H)};
     state.epl = batch.load(p.epl);
-    const Pack per_volume = advance<D, Pack>(r, state, L_mid, dt);
-    points.plastic_work = per_volume * (mass / state.rho);
+    plastic_work_density = advance<D, Pack>(r, state, L_mid, dt);
     batch.store(p.rho, state.rho);
     batch.store(p.epl, state.epl);
     store_deviator(p, batch, state);
-  } else
-    points.plastic_work = 0.0;
+  }
 
   using C = Compression<>;
   const Compression<Pack> k = {of(compressions, &C::a0), of(compressions, &C::b0),
                                of(compressions, &C::c0), of(compressions, &C::Gamma)};
-  points.eos = pressure(k, state.rho, mass / batch.load(p.volume), batch.load(p.e));
+  const Densities<Pack> densities(state.rho, mass / batch.load(p.volume));
+  points.eos = pressure(k, densities, batch.load(p.e));
+  points.inv_rho = densities.inv_rho;
+  points.plastic_work = plastic_work_density * mass * densities.inv_rho;
   points.sigma = state.S - points.eos.P * Tensor<D, Pack>::Identity();
   return points;
 }
@@ -417,7 +420,7 @@ Real PointSweeps<D>::step_limit(Real h, Real shear, Real rho, Real c, Real mu_ma
   const double retained = opt.viscosity == Viscosity::NONE ? 0.0
       : needs_correction()                                 ? CORRECTION_RETAINS
                                                            : 1.0;
-  const Real c_l = longitudinal_speed(c, shear, rho);
+  const Real c_l = longitudinal_speed(c, shear, Real(1.0 / rho));
   return h / (c_l + 0.6 * retained * (opt.a1 * c + opt.a2 * mu_max));
 }
 

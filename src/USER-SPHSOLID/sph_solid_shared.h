@@ -26,6 +26,7 @@
 #include "sph_solid_fingerprint.h"
 #include "sph_solid_storage.h"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -51,7 +52,7 @@ template <class Number, int N> class SharedVectors {
   {
     entry.assign(vectors, 0);
     data.clear();
-    recent.assign(std::size_t(1) << PLACE_BITS, -1);
+    recent.assign(std::size_t(WAYS) << PLACE_BITS, -1);
   }
   // those of several vectors, one after the other; one thread at a time
   void enter(std::size_t first, const Numbers &of)
@@ -78,9 +79,10 @@ template <class Number, int N> class SharedVectors {
   }
 
  private:
-  // the last entries, each at a place that follows from its numbers: one that is not there any more
-  // is entered again
-  static constexpr int PLACE_BITS = 12;
+  // the last entries, the newest WAYS of those for which the same place follows from their numbers: one
+  // that is not there any more is entered again.  With one way some of a few hundred would always
+  // put each other out
+  static constexpr int PLACE_BITS = 10, WAYS = 4;
   std::vector<int> recent;
 
   std::vector<int> entry;    // of every vector
@@ -88,11 +90,13 @@ template <class Number, int N> class SharedVectors {
 
   int place(const Number *numbers)
   {
-    int &known = recent[place_of(numbers)];
-    if (known >= 0 && std::memcmp(entry_at(known), numbers, N * sizeof(Number)) == 0) return known;
-    known = static_cast<int>(data.size() / N);
+    int *known = &recent[WAYS * place_of(numbers)];
+    for (int k = 0; k < WAYS && known[k] >= 0; k++)
+      if (std::memcmp(entry_at(known[k]), numbers, N * sizeof(Number)) == 0) return known[k];
+    std::copy_backward(known, known + WAYS - 1, known + WAYS);
+    known[0] = static_cast<int>(data.size() / N);
     data.insert(data.end(), numbers, numbers + N);
-    return known;
+    return known[0];
   }
   const Number *entry_at(int k) const { return &data[static_cast<std::size_t>(k) * N]; }
 

@@ -33,6 +33,17 @@
 
 namespace SPHSolid {
 
+// where a slot's neighbors are: doubles in columns that they are further, which a sweep need not
+// compute from how many columns that is, or GATHERED + n
+constexpr int GATHERED = 1 << 30;
+// who is more columns away is gathered: columns have fewer than 60 components
+constexpr int FURTHEST = GATHERED / 64;
+
+inline bool is_within_reach(int columns_apart)
+{
+  return columns_apart > -FURTHEST && columns_apart < FURTHEST;
+}
+
 struct Partner {
   int row;    // local index, or that of an image
   int column;
@@ -71,7 +82,7 @@ void arrange(const std::vector<Partner> (&partners)[LANES], int first, int price
     int which[LANES], together = 0;
     for (int m = 0; m < LANES; m++)
       if (head[m] && head[m]->column - (first + m) == offset) together++;
-    const bool side_by_side = open <= price * together;
+    const bool side_by_side = open <= price * together && is_within_reach(offset);
     for (int m = 0; m < LANES; m++) {
       const bool taken = head[m] && (!side_by_side || head[m]->column - (first + m) == offset);
       which[m] = taken ? next[m]++ : -1;
@@ -81,13 +92,9 @@ void arrange(const std::vector<Partner> (&partners)[LANES], int first, int price
 }
 
 struct Slots {
-  static constexpr std::ptrdiff_t GATHERED = PTRDIFF_MAX / 2;
-
   std::vector<int> first;         // slot of each block, and one behind the last
   std::vector<int> near_first;    // the same if there were only slots with nearest partners
-  // doubles in columns that the neighbors are further, which a sweep need not compute from how many
-  // columns that is, or GATHERED + n
-  std::vector<std::ptrdiff_t> further;
+  std::vector<int> further;
   std::vector<char> foremost;    // of slots that read nearly the same columns, the last one
   std::vector<int> gathered;     // LANES columns each
   std::vector<int> count;        // partners of each column
@@ -105,11 +112,9 @@ struct Slots {
   int nearest(int block) const { return near_first[block + 1] - near_first[block]; }
   double memory_usage() const
   {
-    const std::size_t ints =
-        first.capacity() + near_first.capacity() + gathered.capacity() + count.capacity();
-    return static_cast<double>(foremost.capacity() + further.capacity() * sizeof(std::ptrdiff_t) +
-                               ints * sizeof(int)) +
-        constants.memory_usage();
+    const std::size_t ints = first.capacity() + near_first.capacity() + further.capacity() +
+        gathered.capacity() + count.capacity();
+    return static_cast<double>(foremost.capacity() + ints * sizeof(int)) + constants.memory_usage();
   }
 };
 

@@ -70,14 +70,15 @@ inline Tensor<D, Real> midpoint_velocity_gradient(const Tensor<D, Real> &L_end, 
   return L_end * A.inverse();
 }
 
-// Q = (1 - W dt/2)^-1 (1 + W dt/2), W = skew(L): Hughes & Winget (1980), eq. 12
+// Q = (1 - A)^-1 (1 + A), A = W dt/2, W = skew(L): Hughes & Winget (1980), eq. 12.  Since
+// A^3 = -a^2 A with a^2 = A:A/2, this is 1 + 2 (A + A^2)/(1 + a^2)
 
 template <int D, class Real = double>
 inline Tensor<D, Real> spin_rotation(const Tensor<D, Real> &L, Real dt)
 {
-  const Tensor<D, Real> half = Real(0.25) * dt * (L - L.transpose());
-  const Tensor<D, Real> one = Tensor<D, Real>::Identity();
-  return Tensor<D, Real>(one - half).inverse() * (one + half);
+  const Tensor<D, Real> A = Real(0.25) * dt * (L - L.transpose());
+  const Real a2 = 0.5 * A.cwiseProduct(A).sum(), share = 2.0 / (1.0 + a2);
+  return Tensor<D, Real>::Identity() + share * Tensor<D, Real>(A + A * A);
 }
 
 // J2 = S:S/2, with the out-of-plane part in plane strain
@@ -96,13 +97,16 @@ template <int D, class Real = double> inline Real von_mises(const Tensor<D, Real
   return square_root(3.0 * second_invariant<D, Real>(S, Szz));
 }
 
-// radial return to the von Mises surface; returns plastic work per volume
+// radial return to the von Mises surface; returns plastic work per volume.  Where no lane yields, which
+// squares tell, there is no root to wait for and no division
 
 template <int D, class Real>
 inline Real radial_return(const Resistance<Real> &m, PointState<D, Real> &p)
 {
-  const Real sigma_e = von_mises<D, Real>(p.S, p.Szz);
-  const Real over = sigma_e - (m.Y + m.H * p.epl);
+  const Real yield = m.Y + m.H * p.epl, sigma_e2 = 3.0 * second_invariant<D, Real>(p.S, p.Szz);
+  if (!larger_lanes(sigma_e2, yield * yield)) return Real(0.0);
+  const Real sigma_e = square_root(sigma_e2);
+  const Real over = where_positive(sigma_e2 - yield * yield, sigma_e - yield, Real(0.0));
 
   // consistency: sigma_e - 3 mu depl = Y(epl + depl)
   const Real depl = where_positive(over, over / (3.0 * m.shear + m.H), Real(0.0));
@@ -129,9 +133,10 @@ inline Real advance(const Resistance<Real> &m, PointState<D, Real> &p, const Ten
   p.rho *= (1.0 - 0.5 * dt * volumetric) / (1.0 + 0.5 * dt * volumetric);
 
   Tensor<D, Real> half = m.shear * dt * strain;    // of the increment
-  half.diagonal().array() -= m.shear * dt * volumetric / 3.0;
+  const Real mean = (1.0 / 3.0) * m.shear * dt * volumetric;
+  half.diagonal().array() -= mean;
   p.S = Q * Tensor<D, Real>(p.S + half) * Q.transpose() + half;
-  p.Szz -= 2.0 * m.shear * dt * volumetric / 3.0;
+  p.Szz -= 2.0 * mean;
   return radial_return<D, Real>(m, p);
 }
 

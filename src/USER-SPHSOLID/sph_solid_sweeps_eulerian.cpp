@@ -74,10 +74,10 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
     const Pack range = maximum(SUPPORT * h, 0.5 * (own_near + near_of_other));
     return range * range;
   };
-  const std::ptrdiff_t *further = candidates.further.data();
+  const int *further = candidates.further.data();
   const unsigned char *lanes = candidates.lanes.data();
   const char *mirrored = candidates.mirrored.data();
-  std::ptrdiff_t *to_further = pairs.further.data();
+  int *to_further = pairs.further.data();
   unsigned char *to_lanes = pairs.lanes.data();
   double *distance2 = found.distance2.data(), *length = found.length.data();
   const Pack common_range2 = range_of(Pack(common_h), Pack(common_near));
@@ -93,9 +93,8 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
     }
     const Pack h = mean_h<UNIFORM>(i, j);
     const Pack range2 = UNIFORM ? common_range2 : range_of(h, near_of<UNIFORM>(j));
-    unsigned inside = positive_lanes(range2 - r2) & lanes[c];
-    if (mirrored[c])
-      inside &= positive_lanes(r2 - 4.0 * COINCIDE * COINCIDE * h * h);    // not itself
+    unsigned inside = larger_lanes(range2, r2) & lanes[c];
+    if (mirrored[c]) inside &= larger_lanes(r2, 4.0 * COINCIDE * COINCIDE * h * h);    // not itself
     if (!inside) continue;
     store(distance2, where_lanes(inside, r2, BEYOND * range2));
     distance2 += LANES;
@@ -148,7 +147,7 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   const double *i = columns.at(block * LANES), *length = found.length.data();
   const float *of_q = found.q.data();
   const int first = pairs.first[block], count = pairs.count[block];
-  const std::ptrdiff_t *further = pairs.further.data() + first;
+  const int *further = pairs.further.data() + first;
   const float *factors = pairs.factor.data() + first * std::size_t(LANES);
   const bool correct = needs_correction();
   int near = found.near;
@@ -176,7 +175,7 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
       r *= rounded(per_h * load(length + s * LANES));
       support = rounded((0.5 * per_h) * (own_near + near_of<UNIFORM>(j)));
     }
-    if (!positive_lanes(support - r)) continue;
+    if (!larger_lanes(support, r)) continue;
     const SinglePack kernel = CubicSpline<D>::w_of_inverse(r, 2.0 / support);
     store(kernels + near * std::size_t(LANES), kernel);
     nearest[near++] = first + s;
@@ -249,15 +248,16 @@ int EulerianSweeps<D>::update(const Particles &p, int block, const Batch &batch,
   const auto points = Base::update_points(p, batch, L, dt);
   totals.plastic += Base::sum_of_first(points.plastic_work, batch.n);
 
-  const Pack rho = points.state.rho, inv_rho2 = 1.0 / (rho * rho);
+  const Pack rho = points.state.rho;
   const Pack c = square_root(maximum(points.eos.c2, Pack(0.0))), mass = batch.load(p.mass);
   auto weighted = [&](const Tensors &sigma) {
-    return opt.corrected ? Tensors(sigma * B.transpose()) : Tensors(sigma * inv_rho2);
+    return opt.corrected ? Tensors(sigma * B.transpose())
+                         : Tensors(sigma * Pack(points.inv_rho * points.inv_rho));
   };
   Pack last = where_positive(sums.nsum, 1.0 / sums.nsum, Pack(0.0));
   if (needs_switch(form)) last = Base::own_switch(rate, c, Base::smoothing_lengths(p, batch));
   this->store_tensor(column, T, weighted(points.sigma));
-  const Pack state[] = {opt.corrected ? mass / rho : mass, rho, c, last};
+  const Pack state[] = {opt.corrected ? mass * points.inv_rho : mass, rho, c, last};
   columns.store(column, K, state, 4);
   if (needs_rates(form)) this->store_rate(column, at_rate, rate);
   if (opt.tensile) this->store_tensor(column, at_tension, weighted(tension_stress(points.sigma)));
@@ -314,15 +314,17 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
   const double *i = columns.at(block * LANES);
   const int first = pairs.first[block], count = pairs.count[block];
   const std::size_t first_pair = first * std::size_t(LANES);
-  const std::ptrdiff_t *further = pairs.further.data() + first;
+  const int *further = pairs.further.data() + first;
   const float *factors = pairs.factor.data() + first_pair;
   double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely,
-             limits = this->limits_step;
-  const double a1 = opt.a1, a2 = opt.a2;
+             limits = this->limits_step, rest = keep || alone || limits;
+  // of viscosity what is a constant where h is
+  const double minus_a1 = -opt.a1 * (UNIFORM ? common_h : 1.0),
+               twice_a2 = 2.0 * opt.a2 * (UNIFORM ? common_h * common_h : 1.0);
   const Components<D> own = Side::own_motion(i);
-  const Pack zero(0.0), one(1.0), same_h(common_h), rho = component(i, RHO),
-                                                    c = component(i, SOUND);
+  const Pack zero(0.0), one(1.0), same_softening(MU_EPSILON * common_h * common_h),
+      rho = component(i, RHO), own_linear = minus_a1 * component(i, SOUND);
   Pack stress[D], g[D], crowded_g[D], pulled[D], whole[D], mu_least = zero;    // sums over pairs
   each_index<D>([&](auto a) {
     stress[a] = g[a] = crowded_g[a] = pulled[a] = whole[a] = zero;
@@ -333,12 +335,11 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
     const int k = s * LANES;
     const double *j = neighbors(further[s]);
     const Components<D> d = motion(own, j);
-    const Pack F = load(factors + k), h = UNIFORM ? same_h : mean_h<UNIFORM>(i, j);
-    Pack r2 = zero, fn = zero;
-    if (VISCOUS || TENSILE) r2 = d.x_dot_x();
+    const Pack F = load(factors + k), h = mean_h<UNIFORM>(i, j), h2 = h * h;
+    Pack fn = zero;
     if (TENSILE) {
       const Pack spacing = (0.5 / opt.hbar) * (near_of<UNIFORM>(i) + near_of<UNIFORM>(j));
-      fn = crowding<D>(square_root(r2), h, spacing, opt.tensile_n);
+      fn = crowding<D>(square_root(d.x_dot_x()), h, spacing, opt.tensile_n);
       store(crowds + k, fn);
     }
     const Pack KF = component(j, K) * F, crowded_KF = fn * KF;
@@ -362,18 +363,26 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
     if (RATES)
       vr = jump_left<FORM>(vr, this->stretching(i, at_rate, d.x), this->stretching(j, at_rate, d.x),
                            on);
-    const PairViscosity<Pack> viscosity(a1, a2, c + component(j, SOUND), rho + component(j, RHO),
-                                        vr, r2, h);
+    Pack softened = UNIFORM ? same_softening : MU_EPSILON * h2;
+    each_index<D>([&](auto a) {
+      softened = multiply_add(d.x[a], d.x[a], softened);
+    });
+    Pack linear = multiply_add(component(j, SOUND), Pack(minus_a1), own_linear);
+    if (!UNIFORM) linear *= h;
+    const PairViscosity<Pack> viscosity(linear, UNIFORM ? Pack(twice_a2) : twice_a2 * h2,
+                                        rho + component(j, RHO), vr, softened);
     Pack q = component(j, MASS) * F * viscosity.Pi;
     if (FORM == PairForm::SWITCHED) q *= on;
-    if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
-    if (alone) {
-      const Pack left = Side::whole_pull(i, j, LAST, q);
-      d.add_to(whole, left);
-      q -= left;
+    if (rest) {
+      if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
+      if (alone) {
+        const Pack left = Side::whole_pull(i, j, LAST, q);
+        d.add_to(whole, left);
+        q -= left;
+      }
+      if (limits) mu_least = minimum(mu_least, where_positive(-F, h * viscosity.approach, zero));
     }
     d.add_to(pulled, q);
-    if (limits) mu_least = minimum(mu_least, where_positive(-F, viscosity.mu, zero));
   }
 
   const Pack of_stress = unit_factor * component(i, K), of_mass = unit_factor * batch.load(p.mass);

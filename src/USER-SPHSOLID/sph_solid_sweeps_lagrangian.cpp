@@ -44,11 +44,12 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
   const Kept kept_of_pairs = kept();
   TensorSums<D> displacement, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
+  const Components<D> own = Base::own_motion(i);
   Neighbors neighbors(*this, block, last);
   for (int s = first; s < end; s++) {
     const double *j = neighbors(s);
     neighbors.template prefetch_ahead<T>(s, j);
-    const Components<D> d = motion(i, j);
+    const Components<D> d = motion(own, j);
     const Pack minus_F = -factor(constants.of(s - first), j);
     Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
     difference(i, j, REFERENCE, g);
@@ -125,7 +126,7 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   store_tensor(column, T, sigma_C);
   columns.store(column, SOUND, c);
   if (opt.hourglass > 0.0) {
-    const Pack c_l = Base::longitudinal_speed(c, Base::shear_moduli(p, batch), rho);
+    const Pack c_l = Base::longitudinal_speed(c, Base::shear_moduli(p, batch), points.inv_rho);
     columns.store(column, IMPEDANCE, (0.5 * opt.hourglass) * (rho * h * c_l));
   }
   const bool switched = needs_switch(pair_form(opt.viscosity));
@@ -215,13 +216,13 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const auto constants = slots.constants.from(first);
   double *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
-  const double a1_of_sums = 0.25 * opt.a1, a2_of_sum = 0.5 * opt.a2;    // of both particles
+  const double minus_a1 = -0.25 * opt.a1, a2 = 0.5 * opt.a2;    // of the sums of both particles
   const int rho0 = at_rho;
-  const Pack zero(0.0), one(1.0), least_r2(LEAST_R2);
+  const Pack zero(0.0), one(1.0);
   const Components<D> own = Base::own_motion(i);
   Pack own_X[D];
   Base::load_own(i, REFERENCE, own_X);
-  const Pack own_c = component(i, SOUND), own_density = component(i, DENSITY),
+  const Pack own_linear = minus_a1 * component(i, SOUND), own_density = component(i, DENSITY),
              own_impedance = component(i, IMPEDANCE);
   Pack stress[D], central[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
@@ -235,7 +236,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const double *j = neighbors(s);
     neighbors.template prefetch_ahead<at_rate + (RATES ? SYMMETRIC : 0)>(s, j);
     const float *constant = constants.of(s - first);
-    const Pack f = load(constant + Slots::FACTOR), weight = component(j, WEIGHT), F = f * weight;
+    const Pack F = factor(constant, j);
     Pack X[D];
     difference(own_X, j, REFERENCE, X);
     each_index<D>([&](auto a) {
@@ -246,14 +247,18 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     if (!VISCOUS && !HOURGLASS) continue;
 
     const Components<D> d = motion(own, j);
-    const Pack r2 = maximum(d.x_dot_x(), least_r2), vr = d.v_dot_x();
+    Pack r2(LEAST_R2);
+    each_index<D>([&](auto a) {
+      r2 = multiply_add(d.x[a], d.x[a], r2);
+    });
+    const Pack vr = d.v_dot_x();
     // sums of both, and with one division 1/x^2 and 1 over the sums
     Pack rhos = one, impedances = one;
     if (UNLIKE && VISCOUS) rhos = component(i, rho0) + component(j, rho0);
     if (HOURGLASS) impedances = own_impedance + component(j, IMPEDANCE);
     const Pack sums = HOURGLASS ? rhos * impedances : rhos;
     const Pack inverse = 1.0 / (UNLIKE ? r2 * sums : r2);
-    const Pack inv_r2 = UNLIKE ? inverse * sums : inverse;
+    const Pack inv_r2 = UNLIKE ? inverse * sums : inverse, F_per_r2 = F * inv_r2;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {
       li = stretching(i, at_rate, d.x);
@@ -264,9 +269,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       Pack impedance = impedances;
       if (UNLIKE) impedance = 4.0 * own_impedance * component(j, IMPEDANCE) * (inverse * r2 * rhos);
       const Pack rest = multiply_add(BOTH ? li + lj : li, Pack(-0.5), vr);
-      const Pack per_weight = impedance * f * rest * inv_r2;
-      store(damping + k, per_weight);
-      const Pack q = weight * per_weight;
+      const Pack q = impedance * rest * F_per_r2;
+      store(damping + k, q);
       hourglass_power = multiply_add(q, vr, hourglass_power);
       d.add_to(central, q);
     }
@@ -279,12 +283,11 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       if (UNLIKE)
         rho = 2.0 * (inverse * r2 * impedances) *
             (component(i, rho0) * component(j, DENSITY) + component(j, rho0) * own_density);
-      const Pack c = own_c + component(j, SOUND);
-      Pack Pi = rho * mu * (a2_of_sum * mu - a1_of_sums * c);
+      const Pack linear = multiply_add(component(j, SOUND), Pack(minus_a1), own_linear);
+      Pack Pi = rho * mu * multiply_add(mu, Pack(a2), linear);
       if (FORM == PairForm::SWITCHED) Pi *= on;
-      const Pack per_weight = Pi * (f * dot<D>(X, X)) * inv_r2;
-      if (keep) store(pulls + k, per_weight);
-      const Pack q = weight * per_weight;    // V0_j Pi G
+      const Pack q = Pi * (dot<D>(X, X) * F_per_r2);    // V0_j Pi G
+      if (keep) store(pulls + k, q);
       if (keep) viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
       if (alone) {
         const Pack whole = Base::whole_pull(i, j, LAST, q);

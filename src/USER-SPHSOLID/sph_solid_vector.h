@@ -162,15 +162,19 @@ inline double where_positive(double condition, double a, double b)
   return condition > 0.0 ? a : b;
 }
 
-// which lanes are positive, as bits; a in lanes whose bit is set, b in the others
+// in which lanes a is larger than b, as bits; a in lanes whose bit is set, b in the others
 
-inline unsigned positive_lanes(Pack a)
+inline unsigned larger_lanes(double a, double b)
 {
-  return native_positive_lanes(a.native());
+  return a > b ? 1 : 0;
 }
-inline unsigned positive_lanes(SinglePack a)
+inline unsigned larger_lanes(Pack a, Pack b)
 {
-  return native_positive_lanes(a.native());
+  return native_larger_lanes(a.native(), b.native());
+}
+inline unsigned larger_lanes(SinglePack a, SinglePack b)
+{
+  return native_larger_lanes(a.native(), b.native());
 }
 inline Pack where_lanes(unsigned lanes, Pack a, Pack b)
 {

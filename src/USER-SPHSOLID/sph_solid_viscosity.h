@@ -43,17 +43,19 @@ static constexpr double MU_EPSILON = 0.01;
 
 // The following take numbers or vectors of them (sph_solid_vector.h) as Real.
 
-// mu_ij of eq. 24 [velocity], zero for a separating pair, and Pi_ij of eq. 23 [pressure/density^2];
-// vr = v_ij . r_ij, r2 = r_ij^2, of sound speed and density the sums of both particles: twice the pair
-// means.  One division for both, and little to do behind it, for which the processor would have to wait
+// mu_ij/h_ij of eq. 24, zero for a separating pair, and Pi_ij of eq. 23 [pressure/density^2];
+// vr = v_ij . r_ij, softened = r_ij^2 + 0.01 h_ij^2, linear = -a1 h_ij (c_i + c_j),
+// quadratic = 2 a2 h_ij^2, rho_sum = rho_i + rho_j: of each mean twice what it is.  What is h times
+// something is, where all h are alike, a constant.  One division for both, and little to do behind it, for
+// which the processor would have to wait
 
 template <class Real> struct PairViscosity {
-  Real mu, Pi;
-  PairViscosity(double a1, double a2, Real c_sum, Real rho_sum, Real vr, Real r2, Real h)
+  Real approach, Pi;
+  PairViscosity(Real linear, Real quadratic, Real rho_sum, Real vr, Real softened)
   {
-    const Real softened = r2 + MU_EPSILON * (h * h), inverse = 1.0 / (softened * rho_sum);
-    mu = h * minimum(vr, Real{}) * (rho_sum * inverse);
-    Pi = mu * (softened * inverse) * multiply_add(mu, Real(2.0 * a2), -a1 * c_sum);
+    const Real inverse = 1.0 / (softened * rho_sum);
+    approach = (minimum(vr, Real{}) * rho_sum) * inverse;
+    Pi = (approach * (softened * inverse)) * multiply_add(approach, quadratic, linear);
   }
 };
 

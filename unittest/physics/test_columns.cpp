@@ -111,6 +111,24 @@ TEST(Slots, OfALatticeLieSideBySide)
   }
 }
 
+// what is too far away for the number of doubles to it is gathered
+
+TEST(Slots, TooFarAwayAreGathered)
+{
+  for (int further : {FURTHEST - 1, FURTHEST}) {
+    Lists lists;
+    for (int m = 0; m < LANES; m++) {
+      lists[m].push_back(partner(m + 1, false, 1));
+      lists[m].push_back(partner(m + further, false, 2));
+    }
+    const Arranged a = arranged(lists, 0, 4);
+    EXPECT_EQ(a.slots, 2);
+    EXPECT_EQ(a.gathered, further < FURTHEST ? 0 : 1);
+  }
+  // as many components as columns could have
+  EXPECT_LT(60LL * FURTHEST * Columns::NEXT / Columns::LENGTH, GATHERED);
+}
+
 // partners anywhere: no more slots than pairs, nothing lost
 
 TEST(Slots, OfAnythingAreComplete)

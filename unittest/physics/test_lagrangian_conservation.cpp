@@ -223,6 +223,43 @@ TEST(LagrangianCorners, RowsAreNotCorrected)
   }
 }
 
+// stretched, its F is 1 + sum V0 (u_j - u_i) (x) g, which is not that of the stretch: the sum is not corrected
+
+TEST(LagrangianCorners, RowsThatAreStretchedPullByTheirDefinition)
+{
+  constexpr double STRETCH = 0.1, SIGMA = 0.3;
+  for (int dim : {2, 3}) {
+    Cloud c(dim);
+    c.opt.frame = Frame::LAGRANGIAN;
+    c.add_lattice(7, 1);
+    c.refer();
+    for (int i = 0; i < 7; i++) {
+      c.x[i] *= 1.0 + STRETCH;
+      c.S[i] = {SIGMA, -0.1, -0.2, 0.0, 0.0, 0.0};
+    }
+    EXPECT_EQ(c.evaluate(), -1);
+    // X_ij g_ij of particles one and two spacings away; what is further is no partner
+    auto along = [&](int i, int j) {
+      const double r = std::fabs(i - j);
+      if (i == j || r > 2.0) return 0.0;
+      return r * r *
+          (dim == 2 ? CubicSpline<2>::gradient_factor(r, c.opt.h)
+                    : CubicSpline<3>::gradient_factor(r, c.opt.h));
+    };
+    auto F = [&](int i) {
+      double sum = 1.0;
+      for (int j = 0; j < 7; j++) sum -= STRETCH * along(i, j);
+      return sum;
+    };
+    for (int i = 0; i < 7; i++) {
+      double f = 0.0;
+      for (int j = 0; j < 7; j++)
+        if (j != i) f += SIGMA * (1.0 / F(i) + 1.0 / F(j)) * along(i, j) / (i - j);
+      EXPECT_NEAR(c.f(i)[0], f, 2.0 * SINGLE) << dim << "D, " << i;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Options, Lagrangian,
                          testing::Combine(testing::Values(2, 3), testing::ValuesIn(VISCOSITIES),
                                           testing::Bool()),

@@ -24,10 +24,12 @@ Pack positive_in(unsigned set)
   });
 }
 
-TEST(Packs, LanesAsBitsAreThoseThatArePositive)
+TEST(Packs, LanesAsBitsAreThoseThatAreLarger)
 {
   for (unsigned set = 0; set < 1u << LANES; set++) {
-    EXPECT_EQ(positive_lanes(positive_in(set)), set);
+    EXPECT_EQ(larger_lanes(positive_in(set), Pack(0.0)), set);
+    EXPECT_EQ(larger_lanes(Pack(2.0) + positive_in(set), Pack(2.0)), set);
+    EXPECT_EQ(larger_lanes(Pack(0.0), -positive_in(set)), set);
     const Pack chosen = where_lanes(set, Pack(2.0), Pack(-3.0));
     for (int m = 0; m < LANES; m++) EXPECT_EQ(chosen[m], set >> m & 1u ? 2.0 : -3.0) << set;
   }

@@ -68,12 +68,13 @@ TEST(SharedVectors, GiveBackWhatWasEntered)
   }
 }
 
-// 2^3 vectors there are, and one entry for each; where none are alike, one for each vector
+// 2^3 or 7^3 vectors there are, and one entry for each; where none are alike, one for each vector
 
 TEST(SharedVectors, StoreOnceWhatIsAlike)
 {
   const int count = 5000;
   EXPECT_EQ(entries(shared(vectors(count, 2, 6)), count), 8u);
+  EXPECT_EQ(entries(shared(vectors(count, 7, 8)), count), 343u);
   EXPECT_EQ(entries(shared(vectors(count, 0, 7)), count), static_cast<std::size_t>(count));
 }
 
@@ -110,14 +111,15 @@ TEST(Rounded, HasThirtyTwoBits)
   EXPECT_EQ(rounded(0.0), 0.0);
 }
 
-// a lattice has some hundred different slots however large it is, one whose particles lie anywhere has a
-// vector per slot: kernel gradient and nearness, 4 bytes each, and a weight of 8 for 8 pairs
+// a lattice has some hundred different slots however large it is and however it is turned, one whose particles
+// lie anywhere has a vector per slot: kernel gradient and nearness, 4 bytes each, and a weight of 8 for 8 pairs
 
 TEST(SharedVectors, AreFewOnALattice)
 {
-  auto bytes_per_particle = [](double jitter) {
+  auto bytes_per_particle = [](double jitter, double turn) {
     Cloud c(2);
     c.add_lattice(60, 60);
+    for (int i = 0; i < c.size(); i++) c.x[i] = Eigen::AngleAxisd(turn, Vector3d::UnitZ()) * c.x[i];
     c.opt.frame = Frame::LAGRANGIAN;
     c.opt.viscosity = Viscosity::CORRECT;
     Noise noise(1);
@@ -126,7 +128,8 @@ TEST(SharedVectors, AreFewOnALattice)
     c.evaluate(0.0);
     return c.sweeps->memory_usage() / c.size();
   };
-  const double lattice = bytes_per_particle(0.0), any = bytes_per_particle(1e-4);
+  const double lattice = bytes_per_particle(0.0, 0.0), any = bytes_per_particle(1e-4, 0.0);
   EXPECT_GT(any - lattice, 0.9 * 8 * 16.0);
   EXPECT_LT(lattice, 400.0);
+  EXPECT_LT(bytes_per_particle(0.0, 0.6), 1.01 * lattice);
 }

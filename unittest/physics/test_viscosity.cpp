@@ -12,9 +12,14 @@ namespace {
 
 // a1 = 2, a2 = 4, c = 5, rho = 2 of each of the two
 
-PairViscosity<double> pair(double vr, double r2, double h)
+struct Pair {
+  double mu, Pi;
+};
+
+Pair pair(double vr, double r2, double h, double a1 = 2.0, double a2 = 4.0)
 {
-  return {2.0, 4.0, 10.0, 4.0, vr, r2, h};
+  const PairViscosity<double> of_pair(-a1 * h * 10.0, 2.0 * a2 * h * h, 4.0, vr, r2 + 0.01 * h * h);
+  return {h * of_pair.approach, of_pair.Pi};
 }
 
 }    // namespace
@@ -46,8 +51,8 @@ TEST(Viscosity, PiByHand)
 
 TEST(Viscosity, PiRepels)
 {
-  EXPECT_GT(PairViscosity<double>(1.0, 0.0, 5.0, 2.0, -1e-3, 1.0, 1.0).Pi, 0.0);
-  EXPECT_GT(PairViscosity<double>(0.0, 1.0, 5.0, 2.0, -1e-3, 1.0, 1.0).Pi, 0.0);
+  EXPECT_GT(pair(-1e-3, 1.0, 1.0, 1.0, 0.0).Pi, 0.0);
+  EXPECT_GT(pair(-1e-3, 1.0, 1.0, 0.0, 1.0).Pi, 0.0);
 }
 
 // momentum of the correction: m_i w_ij = m_j w_ji for any two particles

@@ -132,7 +132,7 @@ TEST_P(Rod, IsTheSameOnAllRanks)
 
 // half a rod and its mirror image are a whole one, at the time of largest changes: to rounding, and
 // half of the energies.  Rounding differs at 1e-16, and in a few pairs of 10^8 the Eulerian frame then rounds a
-// distance the other way to single precision
+// distance the other way to single precision: that pair's kernel changes by 6e-8, kinetic energy by 1e-11 of all
 
 TEST(HalfRod, IsHalfOfTheWholeOne)
 {
@@ -142,11 +142,12 @@ TEST(HalfRod, IsHalfOfTheWholeOne)
              half = rod(MPI_COMM_SELF, "off", 2, h, "half").back();
   EXPECT_EQ(whole.state.size(), 21u * 67u);
   EXPECT_EQ(half.state.size(), 11u * 67u);
-  const double rounding = frame_under_test() == "lagrangian" ? 1.0e-12 : 1.0e-11;
+  const bool exact = frame_under_test() == "lagrangian";
+  const double rounding = exact ? 1.0e-12 : 1.0e-11, of_energy = exact ? 1.0e-11 : 5.0e-11;
   EXPECT_NEAR(half.length / whole.length, 1.0, rounding);
   EXPECT_NEAR(half.foot / whole.foot, 1.0, rounding);
   for (int i = 0; i < 8; i++)
-    EXPECT_NEAR(2.0 * half.energy[i], whole.energy[i], 1.0e-11 * whole.energy[7]) << i;
+    EXPECT_NEAR(2.0 * half.energy[i], whole.energy[i], of_energy * whole.energy[7]) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(Newton, Rod, testing::Values("off", "on"), [](const auto &info) {
