@@ -225,18 +225,35 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     const int first = pairs.near_first[block];
     return {pairs.near.data() + first, pairs.near_count[block], first * std::size_t(LANES)};
   }
-  // correction: what the force of a pair is along, and what it is times m_i/2
+  // correction: what the force of a pair of nearest neighbors is along
   int along() const { return safe() ? X : at_da; }
-  Pack near_factor(std::size_t pair, const double *i, const double *j) const
-  {
-    return safe() ? load(&pairs.near_pull[pair]) : weight(pair, i, j);
-  }
-  Pack weight(std::size_t pair, const double *i, const double *j) const
-  {
-    return correction_weight_of_inverse(opt.weights,
-                                        component(j, MASS) * load(&pairs.near_kernel[pair]),
-                                        component(i, LAST), component(j, LAST));
-  }
+  // and what it is times m_i/2, of a block.  Where that lies is not read again for each pair, which a
+  // compiler would do for members
+  class NearFactors {
+   public:
+    NearFactors(const EulerianSweeps &s, const Nearest &near, const double *i) :
+        kernels(s.pairs.near_kernel.data() + near.pair),
+        pulls(s.safe() ? s.pairs.near_pull.data() + near.pair : nullptr), weights(s.opt.weights),
+        own(component(i, LAST))
+    {
+    }
+    // of the nth of them
+    [[gnu::always_inline]] Pack operator()(int n, const double *j) const
+    {
+      return pulls ? load(pulls + n * LANES) : weight(n, j);
+    }
+    [[gnu::always_inline]] Pack weight(int n, const double *j) const
+    {
+      return correction_weight_of_inverse(weights, component(j, MASS) * load(kernels + n * LANES),
+                                          own, component(j, LAST));
+    }
+
+   private:
+    const float *const kernels;
+    const double *const pulls;
+    const Weights weights;
+    const Pack own;    // 1/n
+  };
   void safe_pulls(int block);
 
   // heat

@@ -105,7 +105,9 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
              alone = opt.weights == Weights::SHEPARD && !printed;    // its own loss
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
+  const NearFactors factor(*this, near, i);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
+  const int *further = pairs.further.data();
   const int at = along();
   Pack own_moved[D], own_force[D];
   for (int a = 0; a < D; a++) {
@@ -115,14 +117,14 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
   const Pack minus_moved(alone ? 0.0 : -1.0), minus_force(printed ? -2.0 : -1.0);
   Pack power = 0.0;
   for (int n = 0; n < near.count; n++) {
-    const double *j = neighbors(pairs.further[near.slot[n]]);
+    const double *j = neighbors(further[near.slot[n]]);
     Pack of_pair = 0.0;
     each_index<D>([&](auto a) {
       const Pack moved = multiply_add(minus_moved, component(j, V + a), own_moved[a]),
                  force = multiply_add(minus_force, component(j, at + a), own_force[a]);
       of_pair = multiply_add(moved, force, of_pair);
     });
-    power = multiply_add(near_factor(near.pair + n * LANES, i, j), of_pair, power);
+    power = multiply_add(factor(n, j), of_pair, power);
   }
   return power;
 }
@@ -137,6 +139,7 @@ typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Partic
 {
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
+  const NearFactors factor(*this, near, i);
   const Pack mass = batch.load(p.mass), own_K = component(i, K);
   TensorSums<D> sum;
   Neighbors neighbors(*this, block, X, components());
@@ -161,7 +164,7 @@ typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Partic
       f[a] = unit_factor * (KF * t - central * d.x[a]);
     }
     if (needs_correction() && n < near.count && near.slot[n] == s) {
-      const Pack w = 0.5 * mass * near_factor(near.pair + n++ * LANES, i, j);
+      const Pack w = 0.5 * mass * factor(n++, j);
       for (int a = 0; a < D; a++)
         f[a] += w * (component(i, along() + a) - component(j, along() + a));
     }

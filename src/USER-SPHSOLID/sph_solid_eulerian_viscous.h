@@ -51,6 +51,8 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
     const std::ptrdiff_t at = along() * std::ptrdiff_t(NEXT);
     const double *i = columns.at(block * LANES);
     const Nearest near = nearest(block);
+    const NearFactors factor(*this, near, i);
+    const int *further = pairs.further.data();
     Pack own_along[D], f[D];
     for (int a = 0; a < D; a++) {
       own_along[a] = component(i + at, a);
@@ -58,8 +60,8 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
     }
     Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
     for (int n = 0; n < near.count; n++) {
-      const double *j = neighbors(pairs.further[near.slot[n]]);
-      const Pack w = near_factor(near.pair + n * LANES, i, j);
+      const double *j = neighbors(further[near.slot[n]]);
+      const Pack w = factor(n, j);
       for (int a = 0; a < D; a++) f[a] = multiply_add(w, own_along[a] - component(j + at, a), f[a]);
     }
     const Pack half_mass = 0.5 * batch.load(p.mass);
@@ -74,11 +76,12 @@ template <int D> void EulerianSweeps<D>::safe_pulls(int block)
 {
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
+  const NearFactors factor(*this, near, i);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   for (int n = 0; n < near.count; n++) {
     const double *j = neighbors(pairs.further[near.slot[n]]);
-    const std::size_t k = near.pair + n * LANES;
-    store(&pairs.near_pull[k], weight(k, i, j) * Side::safe_pull_of(i, j, at_da));
+    store(&pairs.near_pull[near.pair + n * LANES],
+          factor.weight(n, j) * Side::safe_pull_of(i, j, at_da));
   }
 }
 

@@ -304,26 +304,27 @@ inline unsigned native_larger_lanes(NativeSingle a, NativeSingle b)
   return lanes_that_are_larger(a, b);
 #endif
 }
-// GCC 12 converts eight numbers in halves
-#ifdef SPHSOLID_AVX512
+// left to itself GCC 12 converts in halves
 inline Native widened(NativeSingle n)
 {
+#if defined(SPHSOLID_AVX512)
   return _mm512_maskz_cvtps_pd(0xFF, n);
-}
-inline NativeSingle narrowed(Native n)
-{
-  return _mm512_maskz_cvtpd_ps(0xFF, n);
-}
+#elif defined(__AVX__) && SPHSOLID_LANES == 4
+  return _mm256_cvtps_pd(n);
 #else
-inline Native widened(NativeSingle n)
-{
   return __builtin_convertvector(n, Native);
+#endif
 }
 inline NativeSingle narrowed(Native n)
 {
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_cvtpd_ps(0xFF, n);
+#elif defined(__AVX__) && SPHSOLID_LANES == 4
+  return _mm256_cvtpd_ps(n);
+#else
   return __builtin_convertvector(n, NativeSingle);
-}
 #endif
+}
 inline NativeSingle native_square_root(NativeSingle a)
 {
 #if defined(__AVX__) && SPHSOLID_LANES == 8

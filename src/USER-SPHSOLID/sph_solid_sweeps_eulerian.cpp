@@ -150,9 +150,9 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   const int *further = pairs.further.data() + first;
   const float *factors = pairs.factor.data() + first * std::size_t(LANES);
   const bool correct = needs_correction();
-  int near = found.near;
-  int *nearest = pairs.near.data();
-  float *kernels = pairs.near_kernel.data();
+  int *nearest = pairs.near.data() + (correct ? found.near : 0);
+  float *kernels = pairs.near_kernel.data() + (correct ? found.near * std::size_t(LANES) : 0);
+  const int *const first_nearest = nearest;
   const Components<D> own = Side::own_motion(i);
   const Pack own_near = near_of<UNIFORM>(i);
   const double per_h = 1.0 / common_h;
@@ -177,14 +177,15 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
     }
     if (!larger_lanes(support, r)) continue;
     const SinglePack kernel = CubicSpline<D>::w_of_inverse(r, 2.0 / support);
-    store(kernels + near * std::size_t(LANES), kernel);
-    nearest[near++] = first + s;
+    store(kernels, kernel);
+    kernels += LANES;
+    *nearest++ = first + s;
     nsum = multiply_add(component(j, MASS), widened(kernel), nsum);
   }
   if (correct) {
     pairs.near_first[block] = found.near;
-    pairs.near_count[block] = near - found.near;
-    found.near = near;
+    pairs.near_count[block] = static_cast<int>(nearest - first_nearest);
+    found.near += pairs.near_count[block];
   }
   return {-moment.symmetric_tensor(), -velocity.tensor(), nsum};
 }
