@@ -45,6 +45,12 @@ template <int D> inline Pack dot(const Pack *v, const Pack *w)
   for (int a = 1; a < D; a++) s = multiply_add(v[a], w[a], s);
   return s;
 }
+// and s, in as many operations
+template <int D> inline Pack add_dot(Pack s, const Pack *v, const Pack *w)
+{
+  for (int a = 0; a < D; a++) s = multiply_add(v[a], w[a], s);
+  return s;
+}
 
 // of as many pairs as there are lanes: a lane of each component belongs to one of them
 

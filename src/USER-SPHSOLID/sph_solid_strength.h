@@ -90,11 +90,12 @@ inline Real second_invariant(const Tensor<D, Real> &S, Real Szz)
   return 0.5 * (D == 2 ? in_space + Szz * Szz : in_space);
 }
 
-// sigma_e = sqrt(3 J2), eq. 17
+// square of sigma_e = sqrt(3 J2), eq. 17
 
-template <int D, class Real = double> inline Real von_mises(const Tensor<D, Real> &S, Real Szz)
+template <int D, class Real = double>
+inline Real von_mises_squared(const Tensor<D, Real> &S, Real Szz)
 {
-  return square_root(3.0 * second_invariant<D, Real>(S, Szz));
+  return 3.0 * second_invariant<D, Real>(S, Szz);
 }
 
 // radial return to the von Mises surface; returns plastic work per volume.  Where no lane yields, which
@@ -103,10 +104,11 @@ template <int D, class Real = double> inline Real von_mises(const Tensor<D, Real
 template <int D, class Real>
 inline Real radial_return(const Resistance<Real> &m, PointState<D, Real> &p)
 {
-  const Real yield = m.Y + m.H * p.epl, sigma_e2 = 3.0 * second_invariant<D, Real>(p.S, p.Szz);
-  if (!larger_lanes(sigma_e2, yield * yield)) return Real(0.0);
+  const Real yield = m.Y + m.H * p.epl, yield2 = yield * yield;
+  const Real sigma_e2 = von_mises_squared<D, Real>(p.S, p.Szz);
+  if (!larger_lanes(sigma_e2, yield2)) return Real(0.0);
   const Real sigma_e = square_root(sigma_e2);
-  const Real over = where_positive(sigma_e2 - yield * yield, sigma_e - yield, Real(0.0));
+  const Real over = where_positive(sigma_e2 - yield2, sigma_e - yield, Real(0.0));
 
   // consistency: sigma_e - 3 mu depl = Y(epl + depl)
   const Real depl = where_positive(over, over / (3.0 * m.shear + m.H), Real(0.0));
@@ -147,9 +149,9 @@ template <int D> inline Tensor<D> midpoint_velocity_gradient(const Tensor<D> &L_
   return midpoint_velocity_gradient<D, double>(L_end, dt);
 }
 
-template <int D> inline double von_mises(const Tensor<D> &S, double Szz)
+template <int D> inline double von_mises_squared(const Tensor<D> &S, double Szz)
 {
-  return von_mises<D, double>(S, Szz);
+  return von_mises_squared<D, double>(S, Szz);
 }
 
 template <int D> inline double radial_return(const Material &m, PointState<D> &p)

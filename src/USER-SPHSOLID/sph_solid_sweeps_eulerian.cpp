@@ -319,7 +319,7 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
   const float *factors = pairs.factor.data() + first_pair;
   double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely,
-             limits = this->limits_step, rest = keep || alone || limits;
+             limits = this->limits_step, besides = keep || alone || limits;
   // of viscosity what is a constant where h is
   const double minus_a1 = -opt.a1 * (UNIFORM ? common_h : 1.0),
                twice_a2 = 2.0 * opt.a2 * (UNIFORM ? common_h * common_h : 1.0);
@@ -364,17 +364,14 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
     if (RATES)
       vr = jump_left<FORM>(vr, this->stretching(i, at_rate, d.x), this->stretching(j, at_rate, d.x),
                            on);
-    Pack softened = UNIFORM ? same_softening : MU_EPSILON * h2;
-    each_index<D>([&](auto a) {
-      softened = multiply_add(d.x[a], d.x[a], softened);
-    });
+    const Pack softened = add_dot<D>(UNIFORM ? same_softening : MU_EPSILON * h2, d.x, d.x);
     Pack linear = multiply_add(component(j, SOUND), Pack(minus_a1), own_linear);
     if (!UNIFORM) linear *= h;
     const PairViscosity<Pack> viscosity(linear, UNIFORM ? Pack(twice_a2) : twice_a2 * h2,
                                         rho + component(j, RHO), vr, softened);
     Pack q = component(j, MASS) * F * viscosity.Pi;
     if (FORM == PairForm::SWITCHED) q *= on;
-    if (rest) {
+    if (besides) {
       if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
       if (alone) {
         const Pack left = Side::whole_pull(i, j, LAST, q);

@@ -247,11 +247,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     if (!VISCOUS && !HOURGLASS) continue;
 
     const Components<D> d = motion(own, j);
-    Pack r2(LEAST_R2);
-    each_index<D>([&](auto a) {
-      r2 = multiply_add(d.x[a], d.x[a], r2);
-    });
-    const Pack vr = d.v_dot_x();
+    const Pack r2 = add_dot<D>(LEAST_R2, d.x, d.x), vr = d.v_dot_x();
     // sums of both, and with one division 1/x^2 and 1 over the sums
     Pack rhos = one, impedances = one;
     if (UNLIKE && VISCOUS) rhos = component(i, rho0) + component(j, rho0);
@@ -287,8 +283,10 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       Pack Pi = rho * mu * multiply_add(mu, Pack(a2), linear);
       if (FORM == PairForm::SWITCHED) Pi *= on;
       const Pack q = Pi * (dot<D>(X, X) * F_per_r2);    // V0_j Pi G
-      if (keep) store(pulls + k, q);
-      if (keep) viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
+      if (keep) {
+        store(pulls + k, q);
+        viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
+      }
       if (alone) {
         const Pack whole = Base::whole_pull(i, j, LAST, q);
         d.add_to(central, -whole);

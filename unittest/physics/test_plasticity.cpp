@@ -23,6 +23,11 @@ double romberg(std::vector<double> value)
   return value.back();
 }
 
+template <int D> double von_mises(const Tensor<D> &S, double Szz)
+{
+  return std::sqrt(von_mises_squared<D>(S, Szz));
+}
+
 }    // namespace
 
 // uniaxial tension: the stress itself.  S = (2, -1, -1)/3 sigma
