@@ -60,10 +60,11 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   Columns columns;
   // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
   static constexpr double IN_CACHE = 512.0 * 1024.0;    // [bytes]
-  bool asks_ahead = false;
-  bool with_rows = false;        // for bodies that are no lattice
-  std::vector<int> own;          // own particles in the order of columns
-  std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
+  bool asks_ahead = false;                              // after columns have got their size
+  static constexpr int AHEAD = 16;    // columns from what is read to what is asked for
+  bool with_rows = false;             // for bodies that are no lattice
+  std::vector<int> own;               // own particles in the order of columns
+  std::vector<int> column_of;         // of every own particle, ghost and image, -1: none
   int end_of_own = 0, end_of_columns = 0;
 
   // components that messages fill: what ghosts are sent of the constitutive update lies from stress
@@ -100,6 +101,8 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   {
     (prefetch(at + C * NEXT, 1), ...);
   }
+
+  bool ask_points_ahead(const Particles &, int block, const Batch &, int first, int end) const;
 
   // of the particles of a block, or of a slot's neighbors
   static Pack component(const double *at, int c) { return load(at + c * NEXT); }
@@ -255,6 +258,22 @@ typename ColumnSweeps<D>::Totals ColumnSweeps<D>::each_block(Call call)
         return totals;
       },
       Totals::add);
+}
+
+// of the block after the next one, if its particles lie behind these, what the constitutive update reads
+// and the components [first, end) that it writes; was it asked for?
+
+template <int D>
+bool ColumnSweeps<D>::ask_points_ahead(const Particles &p, int block, const Batch &batch, int first,
+                                       int end) const
+{
+  const int next = batch.i[0] + 2 * LANES;
+  if (!asks_ahead || !batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal)
+    return false;
+  Base::prefetch_state(p, next);
+  const double *at = columns.at((block + 2) * LANES);
+  for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
+  return true;
 }
 
 // behind the last particle the last one again

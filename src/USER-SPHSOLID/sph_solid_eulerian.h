@@ -87,9 +87,9 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
       Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
       Base::types, Base::unit_factor;
-  using Side::blocks, Side::column_of, Side::columns, Side::component, Side::each_block,
-      Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own, Side::own_list,
-      Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
+  using Side::asks_ahead, Side::blocks, Side::column_of, Side::columns, Side::component,
+      Side::each_block, Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own,
+      Side::own_list, Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
   using typename Side::Batch, typename Side::Totals, typename Side::Tensors, typename Side::Places,
       typename Base::Points;
 
@@ -158,6 +158,18 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   double work() const;
   void make_room_for_pairs();
 
+  // slots with a nearest neighbor of a block, and where what is kept of their pairs begins
+  struct Nearest {
+    const int *slot;
+    int count;
+    std::size_t pair;
+  };
+  Nearest nearest(int block) const
+  {
+    const int first = pairs.near_first[block];
+    return {pairs.near.data() + first, pairs.near_count[block], first * std::size_t(LANES)};
+  }
+
   // a sweep's view of the columns that slots of a block read.  Of gathered ones there are
   // components [first, end) and [second, second_end)
   class Neighbors {
@@ -170,6 +182,18 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     {
       if (further < GATHERED) return i + further;
       return gathered(&of.candidates.gathered[std::size_t(further - GATHERED) * LANES]);
+    }
+    // ask for what the blocks to come read first: it lies behind what a block's last slot reads
+    void ask_ahead(const int *further, int count) const
+    {
+      if (!of.asks_ahead || count == 0 || further[count - 1] >= GATHERED) return;
+      const double *at = i + further[count - 1] + Side::AHEAD;
+      for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
+      for (int c = second; c < second_end; c++) prefetch(at + c * NEXT, 1);
+    }
+    void ask_ahead(const Nearest &near) const
+    {
+      if (near.count > 0) ask_ahead(of.pairs.further.data(), near.slot[near.count - 1] + 1);
     }
 
    private:
@@ -214,17 +238,6 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   template <PairForm FORM, bool TENSILE, bool UNIFORM>
   void force_block(const Particles &, int block, const Batch &);
 
-  // slots with a nearest neighbor of a block, and where what is kept of their pairs begins
-  struct Nearest {
-    const int *slot;
-    int count;
-    std::size_t pair;
-  };
-  Nearest nearest(int block) const
-  {
-    const int first = pairs.near_first[block];
-    return {pairs.near.data() + first, pairs.near_count[block], first * std::size_t(LANES)};
-  }
   // correction: what the force of a pair of nearest neighbors is along
   int along() const { return safe() ? X : at_da; }
   // and what it is times m_i/2, of a block.  Where that lies is not read again for each pair, which a

@@ -21,6 +21,7 @@
 
 #include "sph_solid_eulerian.h"
 
+#include <bitset>
 #include <limits>
 
 namespace {
@@ -153,8 +154,9 @@ template <int D> struct EulerianSweeps<D>::Arranging {
   const EulerianSweeps &of;
   const NeighborRows &list;
   const int first_image;                    // column
+  std::vector<int> distances;               // how many columns further there are candidates
+  std::vector<unsigned char> together;      // which lanes have one as much further
   std::vector<std::int64_t> lane[LANES];    // of each candidate what `ranked` has, in this order
-  std::vector<unsigned char> together;      // lanes with a candidate so many columns further
   Candidates found;
 
   // the next candidate of each lane: how much further it is in rank and in columns
@@ -166,29 +168,6 @@ template <int D> struct EulerianSweeps<D>::Arranging {
       of(s), list(rows), first_image(s.end_of_columns - s.images.count()),
       together(2 * s.end_of_columns + 1, 0)
   {
-  }
-
-  static int column(std::int64_t candidate) { return static_cast<int>(candidate & 0x7FFFFFFF); }
-  unsigned char &with(int columns_apart) { return together[columns_apart + of.end_of_columns]; }
-
-  void collect(int block)
-  {
-    for (int m = 0; m < LANES; m++) {
-      lane[m].clear();
-      if (m >= of.particles_of(block)) continue;
-      const int i = of.own[block * LANES + m];
-      auto add = [&](int n, const int *rows) {
-        for (int k = 0; k < n; k++) {
-          const std::int64_t j = of.ranked[rows[k] & INDEX_MASK];
-          if (j >= 0) lane[m].push_back(j);
-        }
-      };
-      add(list.numneigh[i], list.firstneigh[i]);
-      if (of.images.any())
-        add(of.image_first[i + 1] - of.image_first[i], of.image_j.data() + of.image_first[i]);
-      std::sort(lane[m].begin(), lane[m].end());
-      found.count += lane[m].size();
-    }
   }
 
   // for twice as many slots as candidates would fill, of which the system gives as much as is written
@@ -205,13 +184,87 @@ template <int D> struct EulerianSweeps<D>::Arranging {
     found.mirrored.reserve(n);
   }
 
-  // append the slots of a block
+  // append the slots of a block.  Own particles are in the order of columns, and where no candidate
+  // is any other that is the order of slots
   void arrange(int block)
   {
-    const int first = block * LANES;
-    collect(block);
-    for (int m = 0; m < LANES; m++)
-      for (const std::int64_t j : lane[m]) with(column(j) - (first + m))++;
+    const bool among_own = find_distances(block);
+    bool plain = among_own;
+    for (const int columns : distances) plain = plain && !is_rare(columns);
+    if (plain)
+      for (const int columns : distances) add_slot(block * LANES, true, columns, with(columns));
+    else {
+      if (among_own)
+        sort_by_distance(block);
+      else
+        sort_by_rank(block);
+      merge(block * LANES);
+    }
+    for (const int columns : distances) with(columns) = 0;
+    found.first.push_back(static_cast<int>(found.further.size()));
+  }
+
+ private:
+  static int column(std::int64_t candidate) { return static_cast<int>(candidate & 0x7FFFFFFF); }
+  unsigned char &with(int columns_apart) { return together[columns_apart + of.end_of_columns]; }
+  bool is_rare(int columns_apart)
+  {
+    const std::size_t lanes = std::bitset<LANES>(with(columns_apart)).count();
+    return PRICE * lanes <= LANES || !is_within_reach(columns_apart);
+  }
+
+  // call(row) for the candidates of a particle
+  template <class Call> void each_candidate(int i, Call call) const
+  {
+    for (int k = 0; k < list.numneigh[i]; k++) call(list.firstneigh[i][k] & INDEX_MASK);
+    if (!of.images.any()) return;
+    for (int k = of.image_first[i]; k < of.image_first[i + 1]; k++) call(of.image_j[k]);
+  }
+
+  // are all of them own particles?
+  bool find_distances(int block)
+  {
+    bool among_own = true;
+    distances.clear();
+    for (int m = 0; m < of.particles_of(block); m++) {
+      const int own = block * LANES + m;
+      each_candidate(of.own[own], [&](int row) {
+        const int column = of.column_of[row];
+        if (column < 0) return;    // no material
+        among_own = among_own && column < of.end_of_own;
+        unsigned char &lanes = with(column - own);
+        if (!lanes) distances.push_back(column - own);
+        lanes |= static_cast<unsigned char>(1u << m);
+        found.count++;
+      });
+    }
+    std::sort(distances.begin(), distances.end());
+    return among_own;
+  }
+  void sort_by_distance(int block)
+  {
+    for (int m = 0; m < LANES; m++) {
+      lane[m].clear();
+      for (const int columns : distances)
+        if (with(columns) >> m & 1)
+          lane[m].push_back(of.ranked[of.own[block * LANES + m + columns]]);
+    }
+  }
+  void sort_by_rank(int block)
+  {
+    for (int m = 0; m < LANES; m++) {
+      lane[m].clear();
+      if (m >= of.particles_of(block)) continue;
+      each_candidate(of.own[block * LANES + m], [&](int row) {
+        if (of.ranked[row] >= 0) lane[m].push_back(of.ranked[row]);
+      });
+      std::sort(lane[m].begin(), lane[m].end());
+    }
+  }
+
+  // lanes together whose next candidates are as far apart, or are rare
+  void merge(int first)
+  {
     rare = 0;
     for (int m = 0; m < LANES; m++) {
       next[m] = -1;
@@ -230,12 +283,7 @@ template <int D> struct EulerianSweeps<D>::Arranging {
       for (int m = 0; m < LANES; m++)
         if (taken >> m & 1) advance(first, m);
     }
-    for (int m = 0; m < LANES; m++)
-      for (const std::int64_t j : lane[m]) with(column(j) - (first + m)) = 0;
-    found.first.push_back(static_cast<int>(found.further.size()));
   }
-
- private:
   void advance(int first, int m)
   {
     rank[m] = apart[m] = NONE;
@@ -244,13 +292,15 @@ template <int D> struct EulerianSweeps<D>::Arranging {
     const std::int64_t j = lane[m][next[m]];
     rank[m] = static_cast<int>(j >> 32) - static_cast<int>(of.ranked[of.own[first + m]] >> 32);
     apart[m] = column(j) - (first + m);
-    if (PRICE * with(apart[m]) <= LANES || !is_within_reach(apart[m])) rare |= 1u << m;
+    if (is_rare(apart[m])) rare |= 1u << m;
   }
   void add_slot(int first, bool side_by_side, int further, unsigned taken)
   {
     bool mirrored = false;
-    for (int m = 0; m < LANES; m++)
-      mirrored = mirrored || ((taken >> m & 1) && first + m + apart[m] >= first_image);
+    for (int m = 0; m < LANES && of.images.any(); m++) {
+      const int columns = side_by_side ? further : apart[m];
+      mirrored = mirrored || ((taken >> m & 1) && first + m + columns >= first_image);
+    }
     found.lanes.push_back(static_cast<unsigned char>(taken));
     found.mirrored.push_back(mirrored);
     if (side_by_side) {
@@ -280,6 +330,7 @@ void EulerianSweeps<D>::arrange_candidates(const Particles &p, const NeighborRow
 {
   place_columns(p, list);
   columns.resize(end_of_columns, components(), false);
+  asks_ahead = columns.memory_usage() > Side::IN_CACHE;
   std::vector<Candidates> shares(nthreads);
   const int number = number_shares(nthreads, blocks(), [&](int share, int first, int end) {
     Arranging arranging(*this, list);

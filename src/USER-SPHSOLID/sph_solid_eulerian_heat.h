@@ -66,7 +66,8 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
   const std::size_t first_pair = first * std::size_t(LANES);
   const float *factors = pairs.factor.data() + first_pair;
   const double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
-  Neighbors neighbors(*this, block, X, V + D, K, FIXED);
+  Neighbors neighbors(*this, block, X, V + D, K, PULL ? FIXED : K + 1);
+  neighbors.ask_ahead(further, count);
   const Components<D> own = Side::own_motion(i);
   TensorSums<D> moved, crowded;
   Pack pulled = 0.0;
@@ -107,6 +108,7 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
   const Nearest near = nearest(block);
   const NearFactors factor(*this, near, i);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
+  neighbors.ask_ahead(near);
   const int *further = pairs.further.data();
   const int at = along();
   Pack own_moved[D], own_force[D];

@@ -59,6 +59,7 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
       f[a] = 0.0;
     }
     Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
+    neighbors.ask_ahead(near);
     for (int n = 0; n < near.count; n++) {
       const double *j = neighbors(further[near.slot[n]]);
       const Pack w = factor(n, j);

@@ -114,8 +114,9 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   Slots slots;
   // of own particles: B on and above the diagonal, F, sum V0_j g_ij
   Rows B, F, gradient_sum;
-  Rows damp;    // of slots: hourglass force on i = V0_i damp x_ij
-  Rows pull;    // the same for viscous forces, -V0_i pull x_ij, kept for heat
+  Rows uncorrected_force;    // of own: what the correction adds to p.f along with its own part
+  Rows damp;                 // of slots: hourglass force on i = V0_i damp x_ij
+  Rows pull;                 // the same for viscous forces, -V0_i pull x_ij, kept for heat
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
   SharedVectors<double, LANES> near_weight;
@@ -163,9 +164,8 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
     // ask for what the blocks to come read of the columns that this slot reads
     template <int END> void prefetch_ahead(int slot, const double *j) const
     {
-      constexpr int AHEAD = 16;
       if (foremost[slot])
-        Base::prefetch_components(j + AHEAD, std::make_integer_sequence<int, END>());
+        Base::prefetch_components(j + Base::AHEAD, std::make_integer_sequence<int, END>());
     }
 
    private:
@@ -201,6 +201,10 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   const double *correction_of(int block) const
   {
     return &B[block * std::size_t(SYMMETRIC) * LANES];
+  }
+  double *uncorrected_force_of(int block)
+  {
+    return &uncorrected_force[block * std::size_t(D) * LANES];
   }
   double *gradient_sum_of(int block) { return &gradient_sum[block * std::size_t(D) * LANES]; }
   Tensors load_correction(int block) const
@@ -262,7 +266,6 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   void enter_block(int block, Pack mass, int n, const Power &, Totals &) const;
   void enter_due(const Totals &late);
   Tensors block_virial(const Particles &, int block, const Batch &) const override;
-  void prefetch_points(const Particles &, int block, const Batch &) const;
   static void repeat_last(Sums &, int n);
   template <bool LATE> int update(const Particles &, int block, const Batch &, double dt, Totals &);
   void add_late_heat(const Particles &, int block, const Batch &, const Sums &, Totals &) const;

@@ -89,7 +89,8 @@ void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Bat
       of_pair = multiply_add(v[a] - component(j, V + a), along[a], of_pair);
     power = multiply_add(w, of_pair, power);
   }
-  for (int a = 0; a < D; a++) f[a] *= 0.5 * mass;
+  for (int a = 0; a < D; a++)
+    f[a] = multiply_add(0.5 * mass, f[a], load(uncorrected_force_of(block) + a * LANES));
   Base::add_forces(p, batch, f);
   if (!HEATS) return;
   const Pack heat = -0.25 * mass * power;

@@ -186,7 +186,7 @@ class Sweeps {
   virtual void find_switch(const Particles &, const NeighborRows &) = 0;
   virtual void mirror_switch() = 0;
 
-  // add stress and viscous forces to p.f
+  // add stress and viscous forces to p.f, or leave that to the correction that follows
   virtual void force(const Particles &, const NeighborRows &) = 0;
 
   virtual bool needs_correction() const = 0;

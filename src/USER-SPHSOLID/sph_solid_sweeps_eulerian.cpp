@@ -84,7 +84,9 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
   Pack x[D];
   for (int a = 0; a < D; a++) x[a] = component(i, X + a);
   int n = found.slot;
-  for (int c = candidates.first[block]; c < candidates.first[block + 1]; c++) {
+  const int first = candidates.first[block], end = candidates.first[block + 1];
+  neighbors.ask_ahead(further + first, end - first);
+  for (int c = first; c < end; c++) {
     const double *j = neighbors(further[c]);
     Pack r2 = (x[0] - component(j, X)) * (x[0] - component(j, X));
     for (int a = 1; a < D; a++) {
@@ -160,6 +162,7 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   TensorSums<D> moment, velocity;
   Pack nsum = 0.0;
   Neighbors neighbors(*this, block, X, T, at_h, components());
+  neighbors.ask_ahead(further, count);
   for (int s = 0; s < count; s++) {
     const double *j = neighbors(further[s]);
     const Components<D> d = motion(own, j);
@@ -225,6 +228,7 @@ template <int D>
 int EulerianSweeps<D>::update(const Particles &p, int block, const Batch &batch, Sums &sums,
                               double dt, Totals &totals)
 {
+  this->ask_points_ahead(p, block, batch, T, at_da);
   const PairForm form = pair_form(opt.viscosity);
   const int column = block * LANES;
   if (batch.n < LANES) {
@@ -331,6 +335,7 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
     stress[a] = g[a] = crowded_g[a] = pulled[a] = whole[a] = zero;
   });
   Neighbors neighbors(*this, block, 0, at_da, at_h, components());
+  neighbors.ask_ahead(further, count);
 
   for (int s = 0; s < count; s++) {
     const int k = s * LANES;

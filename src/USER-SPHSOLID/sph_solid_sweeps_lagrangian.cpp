@@ -99,7 +99,10 @@ template <bool LATE>
 int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batch, double dt,
                                 Totals &totals)
 {
-  prefetch_points(p, block, batch);
+  if (Base::ask_points_ahead(p, block, batch, T, at_da)) {
+    prefetch(p.vref + batch.i[0] + 2 * LANES, LANES);
+    prefetch(correction_of(block + 2), SYMMETRIC * LANES);
+  }
   constexpr Work WORK = LATE ? Work::DUE : Work::NONE;
   Sums sums = accumulate<WORK>(block);
   if (batch.n < LANES) repeat_last(sums, batch.n);
@@ -137,20 +140,6 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   }
   columns.copy_to_rows(column, T, at_da);
   return Base::unphysical(batch, rho, points.eos.P + points.state.S.sum() + C.sum());
-}
-
-// what the block after the next one needs, if its particles lie behind these
-
-template <int D>
-void LagrangianSweeps<D>::prefetch_points(const Particles &p, int block, const Batch &batch) const
-{
-  const int next = batch.i[0] + 2 * LANES;
-  if (!asks_ahead || !batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal) return;
-  Base::prefetch_state(p, next);
-  prefetch(p.vref + next, LANES);
-  prefetch(correction_of(block + 2), SYMMETRIC * LANES);
-  const double *at = columns.at((block + 2) * LANES);
-  for (int c = T; c < at_da; c++) prefetch(at + c * NEXT, 1);
 }
 
 /* ----------------------------------------------------------------------
@@ -315,9 +304,12 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       acceleration[a] = -(per_mass * replaced[a]);
     });
     columns.store(block * LANES, at_da, acceleration, D);
-  }
+    each_index<D>([&](auto a) {
+      store(uncorrected_force_of(block) + a * LANES, force[a]);
+    });
+  } else
+    Base::add_forces(p, batch, force);
   columns.copy_to_rows(block * LANES, at_da, columns.components());
-  Base::add_forces(p, batch, force);
   if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
   if (!this->keeps_heat) return;
   const Pack viscous_heat = 0.5 * V0 * viscous_power, hourglass_heat = -0.5 * V0 * hourglass_power;
