@@ -186,14 +186,11 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     // ask for what the blocks to come read first: it lies behind what a block's last slot reads
     void ask_ahead(const int *further, int count) const
     {
-      if (!of.asks_ahead || count == 0 || further[count - 1] >= GATHERED) return;
-      const double *at = i + further[count - 1] + Side::AHEAD;
-      for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
-      for (int c = second; c < second_end; c++) prefetch(at + c * NEXT, 1);
+      if (of.asks_ahead && count > 0) ask_behind(further[count - 1]);
     }
     void ask_ahead(const Nearest &near) const
     {
-      if (near.count > 0) ask_ahead(of.pairs.further.data(), near.slot[near.count - 1] + 1);
+      if (of.asks_ahead && near.count > 0) ask_behind(of.pairs.further[near.slot[near.count - 1]]);
     }
 
    private:
@@ -208,6 +205,13 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
       of.gather(from, first, end, scratch.of);
       of.gather(from, second, second_end, scratch.of);
       return scratch.of;
+    }
+    void ask_behind(int further) const
+    {
+      if (further >= GATHERED) return;
+      const double *at = i + further + Side::AHEAD;
+      for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
+      for (int c = second; c < second_end; c++) prefetch(at + c * NEXT, 1);
     }
   };
 

@@ -106,9 +106,9 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
              alone = opt.weights == Weights::SHEPARD && !printed;    // its own loss
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
-  const NearFactors factor(*this, near, i);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   neighbors.ask_ahead(near);
+  const NearFactors factor(*this, near, i);
   const int *further = pairs.further.data();
   const int at = along();
   Pack own_moved[D], own_force[D];

@@ -51,6 +51,8 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
     const std::ptrdiff_t at = along() * std::ptrdiff_t(NEXT);
     const double *i = columns.at(block * LANES);
     const Nearest near = nearest(block);
+    Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
+    neighbors.ask_ahead(near);
     const NearFactors factor(*this, near, i);
     const int *further = pairs.further.data();
     Pack own_along[D], f[D];
@@ -58,8 +60,6 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
       own_along[a] = component(i + at, a);
       f[a] = 0.0;
     }
-    Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
-    neighbors.ask_ahead(near);
     for (int n = 0; n < near.count; n++) {
       const double *j = neighbors(further[near.slot[n]]);
       const Pack w = factor(n, j);

@@ -68,13 +68,15 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
   // what has no pair gets a distance by so much beyond the range of the kernel, where its factor is 0
   constexpr double BEYOND = 1.001;
   const double *i = columns.at(block * LANES);
+  const int first = candidates.first[block], end = candidates.first[block + 1];
+  const int *further = candidates.further.data();
   Neighbors neighbors(*this, block, X, X + D, at_h, components());
+  neighbors.ask_ahead(further + first, end - first);
   const Pack own_near = near_of<UNIFORM>(i);
   auto range_of = [&](Pack h, Pack near_of_other) {
     const Pack range = maximum(SUPPORT * h, 0.5 * (own_near + near_of_other));
     return range * range;
   };
-  const int *further = candidates.further.data();
   const unsigned char *lanes = candidates.lanes.data();
   const char *mirrored = candidates.mirrored.data();
   int *to_further = pairs.further.data();
@@ -84,8 +86,6 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
   Pack x[D];
   for (int a = 0; a < D; a++) x[a] = component(i, X + a);
   int n = found.slot;
-  const int first = candidates.first[block], end = candidates.first[block + 1];
-  neighbors.ask_ahead(further + first, end - first);
   for (int c = first; c < end; c++) {
     const double *j = neighbors(further[c]);
     Pack r2 = (x[0] - component(j, X)) * (x[0] - component(j, X));
@@ -150,6 +150,8 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   const float *of_q = found.q.data();
   const int first = pairs.first[block], count = pairs.count[block];
   const int *further = pairs.further.data() + first;
+  Neighbors neighbors(*this, block, X, T, at_h, components());
+  neighbors.ask_ahead(further, count);
   const float *factors = pairs.factor.data() + first * std::size_t(LANES);
   const bool correct = needs_correction();
   int *nearest = pairs.near.data() + (correct ? found.near : 0);
@@ -161,8 +163,6 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   const SinglePack same_support(per_h * common_near);
   TensorSums<D> moment, velocity;
   Pack nsum = 0.0;
-  Neighbors neighbors(*this, block, X, T, at_h, components());
-  neighbors.ask_ahead(further, count);
   for (int s = 0; s < count; s++) {
     const double *j = neighbors(further[s]);
     const Components<D> d = motion(own, j);
@@ -320,6 +320,8 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
   const int first = pairs.first[block], count = pairs.count[block];
   const std::size_t first_pair = first * std::size_t(LANES);
   const int *further = pairs.further.data() + first;
+  Neighbors neighbors(*this, block, 0, at_da, at_h, components());
+  neighbors.ask_ahead(further, count);
   const float *factors = pairs.factor.data() + first_pair;
   double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely,
@@ -334,8 +336,6 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
   each_index<D>([&](auto a) {
     stress[a] = g[a] = crowded_g[a] = pulled[a] = whole[a] = zero;
   });
-  Neighbors neighbors(*this, block, 0, at_da, at_h, components());
-  neighbors.ask_ahead(further, count);
 
   for (int s = 0; s < count; s++) {
     const int k = s * LANES;
