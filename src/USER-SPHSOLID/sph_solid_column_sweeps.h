@@ -60,7 +60,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   Columns columns;
   // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
   static constexpr double IN_CACHE = 512.0 * 1024.0;    // [bytes]
-  bool asks_ahead = false;                              // after columns have got their size
+  bool asks_ahead = false;
   static constexpr int AHEAD = 16;    // columns from what is read to what is asked for
   bool with_rows = false;             // for bodies that are no lattice
   std::vector<int> own;               // own particles in the order of columns
@@ -90,6 +90,13 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   }
   template <class Call> Totals each_block(Call call);
 
+  // room for all columns
+  void size_columns(int components, bool rows)
+  {
+    columns.resize(end_of_columns, components, rows);
+    asks_ahead = columns.memory_usage() > IN_CACHE;
+  }
+
   // room for so many components of gathered neighbors, as far apart as in columns.  No more than
   // there can be: a stack is touched page by page before it is used
   template <int MOST> struct Scratch {
@@ -102,6 +109,11 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     (prefetch(at + C * NEXT, 1), ...);
   }
 
+  // the same of components [first, end)
+  static void prefetch_components(const double *at, int first, int end)
+  {
+    for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
+  }
   bool ask_points_ahead(const Particles &, int block, const Batch &, int first, int end) const;
 
   // of the particles of a block, or of a slot's neighbors
@@ -271,8 +283,7 @@ bool ColumnSweeps<D>::ask_points_ahead(const Particles &p, int block, const Batc
   if (!asks_ahead || !batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal)
     return false;
   Base::prefetch_state(p, next);
-  const double *at = columns.at((block + 2) * LANES);
-  for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
+  prefetch_components(columns.at((block + 2) * LANES), first, end);
   return true;
 }
 

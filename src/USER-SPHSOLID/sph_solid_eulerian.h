@@ -210,8 +210,8 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     {
       if (further >= GATHERED) return;
       const double *at = i + further + Side::AHEAD;
-      for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
-      for (int c = second; c < second_end; c++) prefetch(at + c * NEXT, 1);
+      Side::prefetch_components(at, first, end);
+      Side::prefetch_components(at, second, second_end);
     }
   };
 

@@ -48,7 +48,7 @@ void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &li
     try_other_order(p, list);
   const double gathered = static_cast<double>(candidates.gathered.size()) / LANES;
   if (gathered > WORTH_ROWS * static_cast<double>(candidates.further.size()))
-    columns.resize(end_of_columns, components(), true);
+    this->size_columns(components(), true);
   for (std::size_t row = 0; row < column_of.size(); row++)
     if (column_of[row] >= 0) place_constants(p, source_of(static_cast<int>(row)), column_of[row]);
   for (int column = static_cast<int>(own.size()); column < end_of_own; column++)
@@ -329,8 +329,7 @@ template <int D>
 void EulerianSweeps<D>::arrange_candidates(const Particles &p, const NeighborRows &list)
 {
   place_columns(p, list);
-  columns.resize(end_of_columns, components(), false);
-  asks_ahead = columns.memory_usage() > Side::IN_CACHE;
+  this->size_columns(components(), false);
   std::vector<Candidates> shares(nthreads);
   const int number = number_shares(nthreads, blocks(), [&](int share, int first, int end) {
     Arranging arranging(*this, list);

@@ -489,8 +489,7 @@ void LagrangianSweeps<D>::each_arranging(const Arranging &first, Call call)
 template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
 {
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
-  columns.resize(end_of_columns, components(), with_rows);
-  asks_ahead = columns.memory_usage() > Base::IN_CACHE;
+  Base::size_columns(components(), with_rows);
   slots.further.resize(slots.first.back());
   slots.foremost.resize(slots.first.back());
   slots.gathered.resize(static_cast<std::size_t>(gathered) * LANES);
