@@ -40,7 +40,8 @@ static bool is_registered(Atom *atom, const std::string &name)
 SPHSolidArrays *AtomVecSPHSolid::arrays(Atom *atom)
 {
   const auto entry = registry.find(atom);
-  const bool present = (entry != registry.end()) && is_registered(atom, "sph_solid_stress");
+  // the arrays outlive the style, but nobody grows them any more
+  const bool present = (entry != registry.end()) && atom->style_match("sph/solid");
   return present ? entry->second.get() : nullptr;
 }
 

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 using namespace LAMMPS_NS;
 
@@ -72,8 +73,10 @@ FixSPHSolidPartners::Bodies FixSPHSolidPartners::bodies() const
         cut.emplace_back(i, partner[i][k]);
     }
 
-  std::vector<tagint> pairs;    // name of a body here, ID of a particle elsewhere
-  for (const auto &pair : cut) pairs.insert(pairs.end(), {tag[here.root(pair.first)], pair.second});
+  std::set<std::pair<tagint, tagint>> names;    // of a body here, ID of a particle elsewhere
+  for (const auto &pair : cut) names.emplace(tag[here.root(pair.first)], pair.second);
+  std::vector<tagint> pairs;
+  for (const auto &pair : names) pairs.insert(pairs.end(), {pair.first, pair.second});
   std::vector<tagint> same;    // two names of one body
   const std::vector<tagint> all_pairs = of_all_ranks(pairs);
   for (std::size_t k = 0; k < all_pairs.size(); k += 2) {

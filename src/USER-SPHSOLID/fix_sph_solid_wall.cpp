@@ -22,6 +22,7 @@
 #include "modify.h"
 #include "pair_sph_solid.h"
 #include "sph_solid_blocks.h"
+#include "sph_solid_images.h"
 #include "sph_solid_space.h"
 #include "update.h"
 
@@ -112,7 +113,7 @@ void FixSPHSolidWall::init()
 void FixSPHSolidWall::setup(int)
 {
   kick_booked = false;
-  held = symmetry ? ON_PLANE * pair->largest_smoothing_length() : 0.0;
+  held = symmetry ? SPHSolid::ON_PLANE * pair->largest_smoothing_length() : 0.0;
   if (!pair->has_resumed() || added) require_in_front();
   added = false;
   constrain(pair->has_resumed() ? CONTINUE : START);
@@ -155,7 +156,7 @@ void FixSPHSolidWall::require_in_front() const
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit) || !pair->has_material(i)) continue;
     const double y = normal * (atom->x[i][dim] - plane);
-    if (y < -(symmetry ? ON_PLANE : BEHIND) * pair->smoothing_length(i))
+    if (y < -(symmetry ? SPHSolid::ON_PLANE : BEHIND) * pair->smoothing_length(i))
       error->one(
           FLERR, Error::NOLASTLINE,
           "Fix sph/solid/wall {}: particle {} at {:.8g} {:.8g} {:.8g} lies behind the wall at "
@@ -239,7 +240,7 @@ void FixSPHSolidWall::constrain(const Step &step, int i)
   const bool away = step.distance(mass, y, vn, fn) >= 0.0;
   if (away && std::fabs(y) >= held) return;
   if (!(atom->mask[i] & groupbit) || !pair->moves(i) || !pair->has_material(i)) return;
-  if (away && std::fabs(y) >= ON_PLANE * pair->smoothing_length(i)) return;
+  if (away && std::fabs(y) >= SPHSolid::ON_PLANE * pair->smoothing_length(i)) return;
 
   const double an = fn / mass;
   const double landing = (-y / dt - vn) / (share * dt);

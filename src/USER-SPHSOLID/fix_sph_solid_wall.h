@@ -28,9 +28,6 @@ namespace LAMMPS_NS {
 
 class FixSPHSolidWall : public Fix {
  public:
-  // a particle this close to the plane, in smoothing lengths, is on it
-  static constexpr double ON_PLANE = 1.0e-6;
-
   FixSPHSolidWall(class LAMMPS *, int, char **);
   int setmask() override;
   void init() override;

@@ -75,7 +75,7 @@ void PairSPHSolid::new_neighbors(bool setup)
     if (setup)
       for (const Plane &plane : sweeps->images.all_planes())
         partners->require_on_one_side(plane.dim, plane.position,
-                                      FixSPHSolidWall::ON_PLANE * largest_smoothing_length());
+                                      SPHSolid::ON_PLANE * largest_smoothing_length());
   }
   Particles p = particles();
   const std::vector<std::int64_t> id(atom->tag, atom->tag + p.nall);

@@ -22,6 +22,7 @@
 
 #include "sph_solid_columns.h"
 #include "sph_solid_points.h"
+#include "sph_solid_slots.h"
 #include "sph_solid_space.h"
 
 #include <utility>
@@ -90,6 +91,20 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   }
   template <class Call> Totals each_block(Call call);
 
+  // columns of own particles, of ghosts and of images, in these orders, among so many rows
+  void number_columns(const std::vector<int> &owned, const std::vector<int> &ghosts,
+                      const std::vector<int> &mirrored, std::size_t rows)
+  {
+    own = owned;
+    column_of.assign(rows, -1);
+    int column = 0;
+    for (const int i : own) column_of[i] = column++;
+    end_of_own = column = whole_vectors(column);
+    for (const std::vector<int> *of : {&ghosts, &mirrored})
+      for (const int row : *of) column_of[row] = column++;
+    end_of_columns = column;
+  }
+
   // room for all columns
   void size_columns(int components, bool rows)
   {
@@ -115,6 +130,57 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
   }
   bool ask_points_ahead(const Particles &, int block, const Batch &, int first, int end) const;
+
+  // a sweep's view of the columns that slots of a block read, which lie so far `further` (sph_solid_slots.h).
+  // Of gathered ones there are components [first, end) and [second, second_end), MOST of them.  Where
+  // they are is not read again after stores, which a compiler would do for members of the sweeps
+  template <int MOST> class SlotColumns {
+   public:
+    SlotColumns(const ColumnSweeps &s, const std::vector<int> &columns_of_gathered, int block,
+                int from, int to, int from2, int to2) :
+        of(s),
+        gathered_columns(columns_of_gathered.data()), i(s.columns.at(block * LANES)), first(from),
+        end(to), second(from2), second_end(to2)
+    {
+    }
+    [[gnu::always_inline]] const double *operator()(int further)
+    {
+      return further < GATHERED ? i + further : gathered(of_gathered(further));
+    }
+    // of a lane's neighbor
+    int column(int further, int lane) const
+    {
+      if (further >= GATHERED) return of_gathered(further)[lane];
+      return of.columns.column(i + further) + lane;
+    }
+    // ask for what the blocks to come read first, if this is a block's last slot: it lies behind
+    void ask_behind(int further) const
+    {
+      if (!of.asks_ahead || further >= GATHERED) return;
+      const double *at = i + further + AHEAD;
+      prefetch_components(at, first, end);
+      prefetch_components(at, second, second_end);
+    }
+
+   private:
+    const ColumnSweeps &of;
+    const int *const gathered_columns;
+    const double *const i;
+    const int first, end, second, second_end;
+    Scratch<MOST> scratch;
+
+    const int *of_gathered(int further) const
+    {
+      return gathered_columns + std::size_t(further - GATHERED) * LANES;
+    }
+    // not inlined: a loop over other slots has registers for what it needs then
+    [[gnu::noinline]] const double *gathered(const int *from)
+    {
+      of.gather(from, first, end, scratch.of);
+      of.gather(from, second, second_end, scratch.of);
+      return scratch.of;
+    }
+  };
 
   // of the particles of a block, or of a slot's neighbors
   static Pack component(const double *at, int c) { return load(at + c * NEXT); }

@@ -87,9 +87,9 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
       Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
       Base::types, Base::unit_factor;
-  using Side::asks_ahead, Side::blocks, Side::column_of, Side::columns, Side::component,
-      Side::each_block, Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own,
-      Side::own_list, Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
+  using Side::blocks, Side::column_of, Side::columns, Side::component, Side::each_block,
+      Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own, Side::own_list,
+      Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
   using typename Side::Batch, typename Side::Totals, typename Side::Tensors, typename Side::Places,
       typename Base::Points;
 
@@ -139,12 +139,13 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
 
   static bool are_alike(const std::vector<TypeData> &types)
   {
-    const TypeData *one = nullptr;
-    for (const TypeData &type : types) {
-      if (type.h == 0.0) continue;    // no material
-      if (one && (type.h != one->h || type.spacing != one->spacing)) return false;
-      one = &type;
-    }
+    double h = 0.0, spacing = 0.0;
+    auto differs = [](double &from, double other) {
+      if (from == 0.0) from = other;
+      return other != 0.0 && other != from;    // 0: no material, or no particles
+    };
+    for (const TypeData &type : types)
+      if (type.h > 0.0 && (differs(h, type.h) || differs(spacing, type.spacing))) return false;
     return true;
   }
   Places places() const override { return {T, LAST, at_da}; }
@@ -170,48 +171,21 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     return {pairs.near.data() + first, pairs.near_count[block], first * std::size_t(LANES)};
   }
 
-  // a sweep's view of the columns that slots of a block read.  Of gathered ones there are
-  // components [first, end) and [second, second_end)
-  class Neighbors {
+  // a sweep's view of them
+  using View = typename Side::template SlotColumns<FIXED + D * D + SYMMETRIC + D + 2>;
+  class Neighbors : public View {
    public:
     Neighbors(const EulerianSweeps &s, int block, int from, int to, int from2 = 0, int to2 = 0) :
-        of(s), i(s.columns.at(block * LANES)), first(from), end(to), second(from2), second_end(to2)
+        View(s, s.candidates.gathered, block, from, to, from2, to2)
     {
     }
-    [[gnu::always_inline]] const double *operator()(int further)
-    {
-      if (further < GATHERED) return i + further;
-      return gathered(&of.candidates.gathered[std::size_t(further - GATHERED) * LANES]);
-    }
-    // ask for what the blocks to come read first: it lies behind what a block's last slot reads
     void ask_ahead(const int *further, int count) const
     {
-      if (of.asks_ahead && count > 0) ask_behind(further[count - 1]);
+      if (count > 0) this->ask_behind(further[count - 1]);
     }
-    void ask_ahead(const Nearest &near) const
+    void ask_ahead(const int *further, const Nearest &near) const
     {
-      if (of.asks_ahead && near.count > 0) ask_behind(of.pairs.further[near.slot[near.count - 1]]);
-    }
-
-   private:
-    const EulerianSweeps &of;
-    const double *const i;
-    const int first, end, second, second_end;
-    typename Side::template Scratch<FIXED + D * D + SYMMETRIC + D + 2> scratch;
-
-    // not inlined: a loop over other slots has registers for what it needs then
-    [[gnu::noinline]] const double *gathered(const int *from)
-    {
-      of.gather(from, first, end, scratch.of);
-      of.gather(from, second, second_end, scratch.of);
-      return scratch.of;
-    }
-    void ask_behind(int further) const
-    {
-      if (further >= GATHERED) return;
-      const double *at = i + further + Side::AHEAD;
-      Side::prefetch_components(at, first, end);
-      Side::prefetch_components(at, second, second_end);
+      if (near.count > 0) this->ask_behind(further[near.slot[near.count - 1]]);
     }
   };
 

@@ -106,7 +106,7 @@ template <int D> void EulerianSweeps<D>::place_columns(const Particles &p, const
   };
   double width = NO_LIMIT;
   for (const TypeData &type : types)
-    if (type.h > 0.0) width = std::min(width, type.spacing);
+    if (type.h > 0.0 && type.spacing > 0.0) width = std::min(width, type.spacing);
   std::vector<Place> places;
   places.reserve(p.nall + images.count());
   auto add = [&](int row) {
@@ -127,18 +127,10 @@ template <int D> void EulerianSweeps<D>::place_columns(const Particles &p, const
   if (!std::is_sorted(places.begin(), places.end(), before))
     std::sort(places.begin(), places.end(), before);
 
-  column_of.assign(p.nall + images.count(), -1);
-  own.clear();
-  for (const Place &place : places) {
-    if (place.row >= p.nlocal) continue;
-    column_of[place.row] = static_cast<int>(own.size());
-    own.push_back(place.row);
-  }
-  end_of_columns = end_of_own = whole_vectors(static_cast<int>(own.size()));
-  for (const bool ghosts : {true, false})
-    for (const Place &place : places)
-      if (place.row >= p.nlocal && (place.row < p.nall) == ghosts)
-        column_of[place.row] = end_of_columns++;
+  std::vector<int> owned, ghosts, mirrored;
+  for (const Place &place : places)
+    (place.row < p.nlocal ? owned : place.row < p.nall ? ghosts : mirrored).push_back(place.row);
+  this->number_columns(owned, ghosts, mirrored, p.nall + images.count());
   ranked.assign(column_of.size(), -1);
   for (std::size_t k = 0; k < places.size(); k++)
     ranked[places[k].row] = std::int64_t(k) << 32 | column_of[places[k].row];

@@ -107,9 +107,9 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
-  neighbors.ask_ahead(near);
-  const NearFactors factor(*this, near, i);
   const int *further = pairs.further.data();
+  neighbors.ask_ahead(further, near);
+  const NearFactors factor(*this, near, i);
   const int at = along();
   Pack own_moved[D], own_force[D];
   for (int a = 0; a < D; a++) {

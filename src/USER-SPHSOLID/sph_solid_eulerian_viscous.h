@@ -52,9 +52,9 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
     const double *i = columns.at(block * LANES);
     const Nearest near = nearest(block);
     Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
-    neighbors.ask_ahead(near);
-    const NearFactors factor(*this, near, i);
     const int *further = pairs.further.data();
+    neighbors.ask_ahead(further, near);
+    const NearFactors factor(*this, near, i);
     Pack own_along[D], f[D];
     for (int a = 0; a < D; a++) {
       own_along[a] = component(i + at, a);

@@ -27,6 +27,10 @@
 
 namespace SPHSolid {
 
+// a particle this close to a plane, in smoothing lengths, is on it, and the particle and its image
+// are the two halves of one: no pair
+constexpr double ON_PLANE = 1.0e-6;
+
 struct Plane {
   int dim;            // normal along x, y or z: 0, 1, 2
   double position;    // coordinate of the plane [length]

@@ -145,22 +145,21 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   struct Arranging;
   template <class Call> void each_arranging(const Arranging &, Call);
 
-  // a sweep's view of the columns that slots of a block read; gathered ones have components up to
-  // last only, and from the correction's on.  Where slots lie is not read again after stores, which
-  // a compiler would do for members
-  class Neighbors {
+  // a sweep's view of them, by number of slot.  Of gathered ones there are components up to last only,
+  // and from the correction's on
+  using View = typename Base::template SlotColumns<FIXED + SYMMETRIC + D + 1>;
+  class Neighbors : private View {
    public:
-    Neighbors(const LagrangianSweeps &s, int block, int up_to) :
-        of(s), further(s.slots.further.data()), foremost(s.slots.foremost.data()),
-        i(s.columns.at(block * LANES)), last(up_to)
+    Neighbors(const LagrangianSweeps &s, int block, int last) :
+        View(s, s.slots.gathered, block, 0, last, std::max(last, s.at_da), s.columns.components()),
+        further(s.slots.further.data()), foremost(s.slots.foremost.data())
     {
     }
     [[gnu::always_inline]] const double *operator()(int slot)
     {
-      const int n = further[slot];
-      if (n < GATHERED) return i + n;
-      return gathered(&of.slots.gathered[std::size_t(n - GATHERED) * LANES]);
+      return View::operator()(further[slot]);
     }
+    int column(int slot, int lane) const { return View::column(further[slot], lane); }
     // ask for what the blocks to come read of the columns that this slot reads
     template <int END> void prefetch_ahead(int slot, const double *j) const
     {
@@ -169,20 +168,8 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
     }
 
    private:
-    const LagrangianSweeps &of;
     const int *const further;
     const char *const foremost;
-    const double *const i;
-    const int last;
-    typename Base::template Scratch<FIXED + SYMMETRIC + D + 1> scratch;
-
-    // not inlined: a loop over other slots has registers for what it needs then
-    [[gnu::noinline]] const double *gathered(const int *from)
-    {
-      of.gather(from, 0, last, scratch.of);
-      of.gather(from, std::max(last, of.at_da), of.columns.components(), scratch.of);
-      return scratch.of;
-    }
   };
   // V0_j grad_i W = this times X_ij; of the constants of a slot
   static Pack factor(const float *constants, const double *j)
@@ -281,7 +268,6 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
 
   double least_limit(const Particles &, const double *factors) const;
   Pack room_left(const Tensors &Fi, int block) const;
-  int neighbor(int slot, int block, int lane) const;
   Overload overload(int block) const;
   Overload overload(const Tensor<D> &Fi, int block, int lane) const;
 };

@@ -40,6 +40,10 @@ template <int D> bool can_be_corrected(const Tensor<D> &moment)
 // falls below this
 constexpr double LEAST_STRETCH = 0.01;
 
+// who lies closer to its own image in the reference than this, in smoothing lengths, and so nearly on the
+// plane, is no partner of it: both are the two halves of one particle, and may come to lie on the plane
+constexpr double BESIDE_IMAGE = 0.05;
+
 // slots that have room for this many times the pairs of a body are reason to look for a better
 // order of its particles
 constexpr double WORTH_ANOTHER_ORDER = 1.25;
@@ -117,21 +121,14 @@ void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &
     for (std::size_t k = 0; k < places.size(); k++) particles[k] = places[k].i;
   };
 
-  own.assign(list.ilist, list.ilist + list.inum);
-  std::vector<int> ghosts, mirrored(images.count());
+  std::vector<int> owned(list.ilist, list.ilist + list.inum), ghosts, mirrored(images.count());
   for (int i = p.nlocal; i < p.nall; i++)
     if (Base::has_material(p, i)) ghosts.push_back(i);
   std::iota(mirrored.begin(), mirrored.end(), p.nall);
-  sort(own);
+  sort(owned);
   sort(ghosts);
   if (by_position) sort(mirrored);
-  column_of.assign(p.nall + images.count(), -1);
-  int column = 0;
-  for (const int i : own) column_of[i] = column++;
-  end_of_own = column = whole_vectors(column);
-  for (const int i : ghosts) column_of[i] = column++;
-  for (const int i : mirrored) column_of[i] = column++;
-  end_of_columns = column;
+  Base::number_columns(owned, ghosts, mirrored, p.nall + images.count());
 }
 
 /* ----------------------------------------------------------------------
@@ -229,7 +226,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       const double r = separation(i, j).norm(), h = mean_h(i, j);
       const bool near = r < 0.5 * (near_support(i) + near_support(j));
       if (near != nearest || (!nearest && r >= PARTNER_SUPPORT * h)) continue;
-      if (j >= p.nall && r < COINCIDE * h) continue;    // on the plane: its own image
+      if (j >= p.nall && of.source_of(j) == i && r < BESIDE_IMAGE * h) continue;
       to.push_back({j, of.column_of[j], nearest && of.needs_correction(), direction(i, j),
                     id_of(p, of.source_of(j)) - id_of(p, i), r});
     }
@@ -623,9 +620,10 @@ Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane)
   if (!(J > 0.0)) return {Overload::TURNED_OVER, i, J};
   const double s = least_stretch<D>(Fi);
   if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
+  const Neighbors neighbors(*this, block, T);
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
     if (slots.constants.of(slot)[Slots::FACTOR + lane] == 0.0f) continue;
-    const int other = neighbor(slot, block, lane);
+    const int other = neighbors.column(slot, lane);
     double X2 = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {
       const double dX = columns.get(column, REFERENCE + a) - columns.get(other, REFERENCE + a);
@@ -636,15 +634,6 @@ Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane)
     if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
   }
   return {};
-}
-
-// the column of a slot's neighbor
-
-template <int D> int LagrangianSweeps<D>::neighbor(int slot, int block, int lane) const
-{
-  const int n = slots.further[slot];
-  if (n >= GATHERED) return slots.gathered[std::size_t(n - GATHERED) * LANES + lane];
-  return columns.column(columns.at(block * LANES) + n) + lane;
 }
 
 template <int D> double LagrangianSweeps<D>::memory_usage() const

@@ -12,7 +12,7 @@
 ------------------------------------------------------------------------- */
 
 /* ----------------------------------------------------------------------
-   Arguments of the pair_style command: reading, checking, saving.
+   Arguments of the pair_style command: reading, checking.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_OPTIONS_H

@@ -42,10 +42,6 @@ namespace SPHSolid {
 // the bits of a LAMMPS neighbor index that are the index (NEIGHMASK)
 constexpr int INDEX_MASK = 0x1FFFFFFF;
 
-// a particle this close to its image, in smoothing lengths, is on the plane, and
-// both are the two halves of one particle
-constexpr double COINCIDE = 1.0e-6;
-
 // longer than any time step [time]
 constexpr double NO_LIMIT = 1.0e300;
 

@@ -96,7 +96,7 @@ void EulerianSweeps<D>::find_pairs(int block, Finding &found)
     const Pack h = mean_h<UNIFORM>(i, j);
     const Pack range2 = UNIFORM ? common_range2 : range_of(h, near_of<UNIFORM>(j));
     unsigned inside = larger_lanes(range2, r2) & lanes[c];
-    if (mirrored[c]) inside &= larger_lanes(r2, 4.0 * COINCIDE * COINCIDE * h * h);    // not itself
+    if (mirrored[c]) inside &= larger_lanes(r2, 4.0 * ON_PLANE * ON_PLANE * h * h);    // not itself
     if (!inside) continue;
     store(distance2, where_lanes(inside, r2, BEYOND * range2));
     distance2 += LANES;

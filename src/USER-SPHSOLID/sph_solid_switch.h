@@ -36,7 +36,9 @@ template <int D, class Real> inline Real balsara_switch(const Tensor<D, Real> &L
     const Real x = L(D - 1, 1) - L(1, D - 1), y = L(0, D - 1) - L(D - 1, 0);
     curl2 += x * x + y * y;
   }
-  return rate / (rate + square_root(curl2) + 1.0e-4 * c / h);
+  const Real all = rate + square_root(curl2) + 1.0e-4 * c / h;
+  return where_positive(all, rate / all,
+                        Real(0.0));    // c is 0 where c^2 of the pressure is negative
 }
 
 // how much of a deformation is compression: (div v)^2/(D:D), at most 1, D = (L + L^T)/2;
@@ -56,8 +58,8 @@ template <int D, class Real> inline Real compression_share(const Tensor<D, Real>
 
 // how much of the motion around a particle is not resolved: of the mean squares of the
 // velocity jumps that velocity gradients do not predict (rest2) and do (linear2), with
-// e = UNRESOLVED the value rest2/(rest2 + e^2 linear2).  On a lattice with h = 1 to 1.3
-// spacings sqrt(rest2/linear2) is e for waves of 14 to 16 spacings and falls with the
+// e = UNRESOLVED the value rest2/(rest2 + e^2 linear2).  On a lattice sqrt(rest2/linear2)
+// is e for waves of 14 spacings with h = 1 spacing and of 18 to 19 with h = 1.3, and falls with the
 // square of the wave number: whole viscosity for what is shorter, none for what is longer
 
 static constexpr double UNRESOLVED = 0.05;

@@ -15,8 +15,8 @@
    Artificial stress against the tensile instability:
    Gray, Monaghan & Swift, Comput. Methods Appl. Mech. Engrg. 190 (2001) 6641.
 
-   The principal tensile stresses are reduced by eps of themselves in a pair
-   that is closer than the initial spacing, times (W(r)/W(spacing))^n.
+   In a pair the principal tensile stresses are reduced by eps of themselves times
+   (W(r)/W(spacing))^n: by all of eps at the initial spacing, by less where particles are further apart.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_TENSILE_H

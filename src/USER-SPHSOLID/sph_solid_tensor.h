@@ -57,7 +57,7 @@ namespace SPHSolid {
 
 // second-order tensor and vector in D space dimensions; 2d means plane strain
 
-// Real: a number, or four of them for four particles at a time
+// Real: a number, or a pack of them, one for each of LANES particles
 
 template <int D, class Real = double> using Tensor = Eigen::Matrix<Real, D, D>;
 template <int D> using Vector = Eigen::Matrix<double, D, 1>;

@@ -102,13 +102,15 @@ TEST(Refused, TypeWithoutMaterial)
 
 TEST(Refused, AnotherAtomStyle)
 {
-  Session s;
-  s("units si\ndimension 2\nboundary f f p\natom_style atomic\n"
-    "region box block 0 1 0 1 -0.5 0.5\ncreate_box 1 box\ncreate_atoms 1 single 0.5 0.5 0\n"
-    "mass * 1\npair_style sph/solid 1\n"
-    "pair_coeff * * inline rho0 1 eos linear 1 shear 1 strength elastic\nfix 1 all sph/solid");
-  EXPECT_THAT(s.error("run 0"),
-              HasSubstr("Pair style sph/solid needs atom_style sph/solid (alone or in hybrid)"));
+  for (const char *styles : {"atom_style atomic\n", "atom_style sph/solid\natom_style atomic\n"}) {
+    Session s;
+    s(std::string("units si\ndimension 2\nboundary f f p\n") + styles +
+      "region box block 0 1 0 1 -0.5 0.5\ncreate_box 1 box\ncreate_atoms 1 single 0.5 0.5 0\n"
+      "mass * 1\npair_style sph/solid 1\n"
+      "pair_coeff * * inline rho0 1 eos linear 1 shear 1 strength elastic\nfix 1 all sph/solid");
+    EXPECT_THAT(s.error("run 0"),
+                HasSubstr("Pair style sph/solid needs atom_style sph/solid (alone or in hybrid)"));
+  }
 }
 
 TEST(Refused, ParticlesWithoutIds)
