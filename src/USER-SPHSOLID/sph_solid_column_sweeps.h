@@ -306,6 +306,38 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
     return all ? pull : whole_pull(i, j, last, pull);
   }
+  // what becomes heat of the correction's forces on nearest particles while they move by u, which is in V:
+  // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
+  // shepard weights leak momentum, there the loss of kinetic energy of the
+  // particle itself becomes heat (exact in total, not Galilean invariant);
+  // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
+  // safe: half the work of each central pair force, none of it negative for u = v.
+  // Of a pair -4/m_i of it, without w_ij; along: what its force is along
+  struct CorrectionHeat {
+    const int at;
+    Pack own_moved[D], own_force[D], minus_moved, minus_force;
+    CorrectionHeat(const ColumnSweeps &s, const double *i, int along) : at(along)
+    {
+      const bool printed = s.opt.heating == Heating::PRINTED && !s.safe(),
+                 alone = s.opt.weights == Weights::SHEPARD && !printed;    // its own loss
+      for (int a = 0; a < D; a++) {
+        own_moved[a] = (alone ? 2.0 : 1.0) * component(i, V + a);
+        own_force[a] = (printed ? 0.0 : 1.0) * component(i, at + a);
+      }
+      minus_moved = alone ? 0.0 : -1.0;
+      minus_force = printed ? -2.0 : -1.0;
+    }
+    Pack of(const double *j) const
+    {
+      Pack sum = 0.0;
+      each_index<D>([&](auto a) {
+        const Pack moved = multiply_add(minus_moved, component(j, V + a), own_moved[a]),
+                   force = multiply_add(minus_force, component(j, at + a), own_force[a]);
+        sum = multiply_add(moved, force, sum);
+      });
+      return sum;
+    }
+  };
   // weights safe, without the weight
   static Pack safe_pull_of(const double *i, const double *j, int at_da)
   {

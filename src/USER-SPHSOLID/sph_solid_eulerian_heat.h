@@ -93,40 +93,21 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
   viscous = pulled;
 }
 
-// compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
-// shepard weights leak momentum, there the loss of kinetic energy of the
-// particle itself becomes heat (exact in total, not Galilean invariant);
-// printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
-// safe: half the work of each central pair force, none of it negative for u = v.
-// This is -4/m_i of the sum
+// of a block -4/m_i of what the correction heats
 
 template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
 {
-  const bool printed = opt.heating == Heating::PRINTED && !safe(),
-             alone = opt.weights == Weights::SHEPARD && !printed;    // its own loss
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   const int *further = pairs.further.data();
   neighbors.ask_ahead(further, near);
   const NearFactors factor(*this, near, i);
-  const int at = along();
-  Pack own_moved[D], own_force[D];
-  for (int a = 0; a < D; a++) {
-    own_moved[a] = (alone ? 2.0 : 1.0) * component(i, V + a);
-    own_force[a] = (printed ? 0.0 : 1.0) * component(i, at + a);
-  }
-  const Pack minus_moved(alone ? 0.0 : -1.0), minus_force(printed ? -2.0 : -1.0);
+  const typename Side::CorrectionHeat heat(*this, i, along());
   Pack power = 0.0;
   for (int n = 0; n < near.count; n++) {
     const double *j = neighbors(further[near.slot[n]]);
-    Pack of_pair = 0.0;
-    each_index<D>([&](auto a) {
-      const Pack moved = multiply_add(minus_moved, component(j, V + a), own_moved[a]),
-                 force = multiply_add(minus_force, component(j, at + a), own_force[a]);
-      of_pair = multiply_add(moved, force, of_pair);
-    });
-    power = multiply_add(factor(n, j), of_pair, power);
+    power = multiply_add(factor(n, j), heat.of(j), power);
   }
   return power;
 }

@@ -16,8 +16,8 @@
    reference configuration and are never renewed; see sph_solid_sweeps.h.
 
    The class; its members are in
-     sph_solid_lagrangian_partners.h    what is constant between two neighbor lists,
-                                        and where the frame ends
+     sph_solid_lagrangian_partners.h    what is constant between two neighbor lists
+     sph_solid_lagrangian_limits.h      the time step, and where the frame ends
      sph_solid_lagrangian_rows.h        what neighbors read: messages, mirror images
      sph_solid_lagrangian_viscous.h     switch of a viscosity, acceleration correction
      sph_solid_lagrangian_heat.h        heat, virial
@@ -232,7 +232,6 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   template <Work WORK>
   void add_work(const Kept &, int slot, const double *i, const double *j, const Components<D> &,
                 PairWork &) const;
-  template <Work WORK> Pack corrected_power(const double *i, const double *j, const Pack *v) const;
   // of a pair of nearest partners: what its force is along, and what it is times m_i/2
   Pack corrected_along(const double *i, const double *j, int a) const
   {

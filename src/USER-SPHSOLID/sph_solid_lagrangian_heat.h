@@ -44,33 +44,6 @@ inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double 
         multiply_add(Base::heated_pull(i, j, LAST, load(kept.pulls + k)), along, work.viscous);
 }
 
-// compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
-// shepard weights leak momentum, there the loss of kinetic energy of the
-// particle itself becomes heat (exact in total, not Galilean invariant);
-// printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
-// safe: half the work of each central pair force, none of it negative for u = v.
-// This is -4/m_i of the sum, without w_ij; v: u_i - u_j
-
-template <int D>
-template <typename LagrangianSweeps<D>::Work WORK>
-inline Pack LagrangianSweeps<D>::corrected_power(const double *i, const double *j,
-                                                 const Pack *v) const
-{
-  const bool conservative = opt.weights == Weights::CONSERVATIVE;
-  Pack sum = 0.0;
-  for (int a = 0; a < D; a++) {
-    Pack moved = v[a], acceleration = corrected_along(i, j, a);
-    if (WORK == Work::WHOLE && !safe()) {    // else they are compatible and conservative
-      if (opt.heating == Heating::PRINTED)
-        acceleration = -2.0 * component(j, at_da + a);
-      else if (!conservative)
-        moved = 2.0 * component(i, V + a);
-    }
-    sum = multiply_add(moved, acceleration, sum);
-  }
-  return sum;
-}
-
 /* ----------------------------------------------------------------------
    heat on the way: the share of the velocities that come after the forces
 ------------------------------------------------------------------------- */

@@ -21,7 +21,6 @@
 #define LMP_SPH_SOLID_LAGRANGIAN_PARTNERS_H
 
 #include "sph_solid_lagrangian.h"
-#include "sph_solid_stretch.h"
 
 #include <numeric>
 
@@ -35,10 +34,6 @@ template <int D> bool can_be_corrected(const Tensor<D> &moment)
 {
   return beyond_share<D>(moment, LEAST_ROUNDNESS) > 0.0;    // without partners it is 0
 }
-
-// the frame ends where the least principal stretch, or the stretch of a pair,
-// falls below this
-constexpr double LEAST_STRETCH = 0.01;
 
 // who lies closer to its own image in the reference than this, in smoothing lengths, and so nearly on the
 // plane, is no partner of it: both are the two halves of one particle, and may come to lie on the plane
@@ -55,10 +50,6 @@ constexpr double MUCH_WORSE = 1.1;
 // of another, without rows and with them
 constexpr double WORTH_ROWS = 0.2;
 constexpr int PRICE[2] = {4, 2};
-
-// the time step shrinks with the least principal stretch, but not further than
-// this: a Courant number of 0.6 is then still stable
-constexpr double STEP_STRETCH = 0.05;
 
 /* ----------------------------------------------------------------------
    columns: own particles, ghosts, images.  In the order of IDs a lattice is row by row, turned
@@ -510,130 +501,6 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
 template <int D> int LagrangianSweeps<D>::neighbor_count(int i) const
 {
   return column_of[i] < 0 ? 0 : slots.count[column_of[i]];
-}
-
-/* ----------------------------------------------------------------------
-   particles come closer with the least principal stretch, and so must the
-   time step
-------------------------------------------------------------------------- */
-
-template <int D>
-double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &) const
-{
-  return least_limit(p, nullptr);
-}
-
-template <int D>
-double LagrangianSweeps<D>::scaled_time_step_limit(const Particles &p,
-                                                   const std::vector<double> &factors) const
-{
-  return least_limit(p, factors.data());
-}
-
-// factors: of types, or null.  Eigenvalues only where the bound could be the least of all
-
-template <int D>
-double LagrangianSweeps<D>::least_limit(const Particles &p, const double *factors) const
-{
-  const NeighborRows list = own_list();
-  auto stretched = [](auto s) {
-    using Real = decltype(s);
-    return minimum(Real(1.0), maximum(Real(STEP_STRETCH), s));
-  };
-  auto share = [&](const Batch &batch) {
-    const Pack factor = Base::of_types(p, batch, [&](int t) {
-      return factors[t];
-    });
-    return minimum(factor * square_root(batch.load(p.volume) / batch.load(p.mass)), Pack(1.0));
-  };
-  return Base::least_of(blocks(), NO_LIMIT, [&](int first, int end) {
-    double limit = NO_LIMIT;
-    for (int block = first; block < end; block++) {
-      const Batch batch(list, block * LANES);
-      const double *i = columns.at(block * LANES);
-      const Tensors Fi = load_tensors(F, block);
-      Pack unstretched =
-          Base::step_limit(Base::smoothing_lengths(p, batch), Base::shear_moduli(p, batch),
-                           batch.load(p.rho), component(i, SOUND), load(&mu_max[block * LANES]));
-      if (factors) unstretched *= share(batch);
-      if (!(least(unstretched * stretched(stretch_bound<D>(Fi))) < limit)) continue;
-      for (int m = 0; m < batch.n; m++)
-        limit = std::min(limit, unstretched[m] * stretched(least_stretch<D>(of_lane<D>(Fi, m))));
-    }
-    return limit;
-  });
-}
-
-/* ----------------------------------------------------------------------
-   where the frame ends: F turned over, squeezed flat, or two partners on top
-   of each other
-------------------------------------------------------------------------- */
-
-template <int D> Overload LagrangianSweeps<D>::find_overload() const
-{
-  const int n = blocks();
-  const int block = Base::least_of(n, n, [&](int first, int end) {
-    while (first < end && overload(first).kind == Overload::NONE) first++;
-    return first < end ? first : n;
-  });
-  return block < n ? overload(block) : Overload();
-}
-
-// of the first particle of a block that is beyond it
-
-template <int D> Overload LagrangianSweeps<D>::overload(int block) const
-{
-  const Tensors Fi = load_tensors(F, block);
-  if (all_positive(room_left(Fi, block))) return {};
-  for (int m = 0; m < particles_of(block); m++) {
-    const Overload found = overload(of_lane<D>(Fi, m), block, m);
-    if (found.kind != Overload::NONE) return found;
-  }
-  return {};
-}
-
-// positive for particles that are surely not beyond it
-
-template <int D> Pack LagrangianSweeps<D>::room_left(const Tensors &Fi, int block) const
-{
-  Pack room = minimum(stretch_bound<D>(Fi) - LEAST_STRETCH, Fi.determinant());
-  const double *i = columns.at(block * LANES);
-  Neighbors neighbors(*this, block, T);
-  for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
-    const double *j = neighbors(slot);
-    Pack x[D], reference[D], apart = 0.0;
-    difference(i, j, X, x);
-    difference(i, j, REFERENCE, reference);
-    for (int a = 0; a < D; a++)
-      apart += x[a] * x[a] - LEAST_STRETCH * LEAST_STRETCH * reference[a] * reference[a];
-    room = minimum(room, where_positive(-factor(slot, j), apart, Pack(1.0)));
-  }
-  return room;
-}
-
-template <int D>
-Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane) const
-{
-  const int column = block * LANES + lane, i = own[column];
-  if (slots.count[column] == 0) return {};
-  const double J = Fi.determinant();
-  if (!(J > 0.0)) return {Overload::TURNED_OVER, i, J};
-  const double s = least_stretch<D>(Fi);
-  if (s < LEAST_STRETCH) return {Overload::STRETCH, i, s};
-  const Neighbors neighbors(*this, block, T);
-  for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
-    if (slots.constants.of(slot)[Slots::FACTOR + lane] == 0.0f) continue;
-    const int other = neighbors.column(slot, lane);
-    double X2 = 0.0, x2 = 0.0;
-    for (int a = 0; a < D; a++) {
-      const double dX = columns.get(column, REFERENCE + a) - columns.get(other, REFERENCE + a);
-      const double dx = columns.get(column, X + a) - columns.get(other, X + a);
-      X2 += dX * dX;
-      x2 += dx * dx;
-    }
-    if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
-  }
-  return {};
 }
 
 template <int D> double LagrangianSweeps<D>::memory_usage() const

@@ -68,7 +68,7 @@ void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Bat
   const auto near = near_factors(block);
   const Pack mass = batch.load(p.mass);
   const std::ptrdiff_t at = at_along * std::ptrdiff_t(NEXT);
-  // corrected_power() with what is the particle's own out of the loop, a tenth of its instructions
+  // what is the particle's own out of the loop, a tenth of its instructions
   Pack own[D], v[D], f[D], power = 0.0;
   for (int a = 0; a < D; a++) {
     own[a] = component(i + at, a);

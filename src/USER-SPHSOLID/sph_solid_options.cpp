@@ -21,6 +21,8 @@
 #include "sph_solid_number.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using namespace SPHSolid;
@@ -37,6 +39,13 @@ class Reader {
 
   bool more() const { return at < narg; }
   std::string peek() const { return more() ? arg[at] : ""; }
+  // is this the next word?  Then it is done with
+  bool takes(const char *word)
+  {
+    const bool is = peek() == word;
+    if (is) at++;
+    return is;
+  }
 
   std::string word(const std::string &keyword, const std::string &expected)
   {
@@ -57,6 +66,19 @@ class Reader {
       lmp->error->all(FLERR, at, "pair_style sph/solid: {} of {} is {}: expected a number {}{}",
                       what, keyword, *value, bound, least);
     return *value;
+  }
+
+  // one of some words, which stand for values
+  template <class Value> using Choices = std::vector<std::pair<const char *, Value>>;
+  template <class Value> Value choose(const std::string &keyword, const Choices<Value> &choices)
+  {
+    std::string expected = choices.front().first;
+    for (std::size_t k = 1; k < choices.size(); k++)
+      expected += (k + 1 < choices.size() ? ", " : " or ") + std::string(choices[k].first);
+    const std::string text = word(keyword, expected);
+    for (const auto &choice : choices)
+      if (text == choice.first) return choice.second;
+    unknown(keyword, text, expected);
   }
 
   [[noreturn]] void unknown(const std::string &keyword, const std::string &value,
@@ -80,41 +102,24 @@ void parse_alpha(Options &o, Reader &r, const std::string &keyword)
 
 void parse_correct(Options &o, Reader &r)
 {
-  o.viscosity = Viscosity::CORRECT;
   for (bool more = true; more;) {
-    const std::string key = r.peek();
-    if (key == "hbar") {
-      r.word(key, "");
+    if (r.takes("hbar"))
       o.hbar = r.number("viscosity correct hbar", "support in spacings", 0.0, true);
-    } else if (key == "weights") {
-      r.word(key, "");
-      const std::string w = r.word("viscosity correct weights", "conservative, shepard or safe");
-      if (w == "conservative")
-        o.weights = Weights::CONSERVATIVE;
-      else if (w == "shepard")
-        o.weights = Weights::SHEPARD;
-      else if (w == "safe")
-        o.weights = Weights::SAFE;
-      else
-        r.unknown("viscosity correct weights", w, "conservative, shepard or safe");
-    } else if (key == "alpha") {
-      r.word(key, "");
+    else if (r.takes("weights"))
+      o.weights = r.choose<Weights>("viscosity correct weights",
+                                    {{"conservative", Weights::CONSERVATIVE},
+                                     {"shepard", Weights::SHEPARD},
+                                     {"safe", Weights::SAFE}});
+    else if (r.takes("alpha"))
       parse_alpha(o, r, "viscosity correct alpha");
-    } else if (key == "heating") {
-      r.word(key, "");
-      const std::string w = r.word("viscosity correct heating", "compatible or printed");
-      if (w == "compatible")
-        o.heating = Heating::COMPATIBLE;
-      else if (w == "printed")
-        o.heating = Heating::PRINTED;
-      else
-        r.unknown("viscosity correct heating", w, "compatible or printed");
-    } else
+    else if (r.takes("heating"))
+      o.heating =
+          r.choose<Heating>("viscosity correct heating",
+                            {{"compatible", Heating::COMPATIBLE}, {"printed", Heating::PRINTED}});
+    else
       more = false;
   }
 }
-
-const char VISCOSITIES[] = "none, monaghan, correct, limited, balsara or front";
 
 // the last of several keywords counts, with nothing left of those before
 
@@ -130,80 +135,35 @@ void forget_viscosity(Options &o)
 
 void parse_viscosity(Options &o, Reader &r)
 {
-  const std::string form = r.word("viscosity", VISCOSITIES);
   forget_viscosity(o);
-  if (form == "none")
-    o.viscosity = Viscosity::NONE;
-  else if (form == "monaghan") {
-    o.viscosity = Viscosity::MONAGHAN;
-    parse_alpha(o, r, "viscosity monaghan");
-  } else if (form == "correct")
-    parse_correct(o, r);
-  else if (form == "limited") {
-    o.viscosity = Viscosity::LIMITED;
-    parse_alpha(o, r, "viscosity limited");
-  } else if (form == "balsara") {
-    o.viscosity = Viscosity::BALSARA;
-    parse_alpha(o, r, "viscosity balsara");
-  } else if (form == "front") {
-    o.viscosity = Viscosity::FRONT;
-    if (r.peek() == "alpha") {
-      r.word("alpha", "");
-      parse_alpha(o, r, "viscosity front alpha");
-    }
-  } else
-    r.unknown("viscosity", form, VISCOSITIES);
+  const std::string form = r.peek();
+  o.viscosity = r.choose<Viscosity>("viscosity",
+                                    {{"none", Viscosity::NONE},
+                                     {"monaghan", Viscosity::MONAGHAN},
+                                     {"correct", Viscosity::CORRECT},
+                                     {"limited", Viscosity::LIMITED},
+                                     {"balsara", Viscosity::BALSARA},
+                                     {"front", Viscosity::FRONT}});
+  switch (o.viscosity) {
+    case Viscosity::NONE:
+      break;
+    case Viscosity::CORRECT:
+      parse_correct(o, r);
+      break;
+    case Viscosity::FRONT:
+      if (r.takes("alpha")) parse_alpha(o, r, "viscosity front alpha");
+      break;
+    default:
+      parse_alpha(o, r, "viscosity " + form);
+  }
 }
 
 void parse_tensile(Options &o, Reader &r)
 {
-  const std::string form = r.word("tensile", "none or artificial");
-  if (form == "artificial") {
-    o.tensile = true;
-    o.tensile_eps = r.number("tensile artificial", "eps", 0.0, false);
-    o.tensile_n = r.number("tensile artificial", "n", 0.0, true);
-  } else if (form == "none")
-    o.tensile = false;
-  else
-    r.unknown("tensile", form, "none or artificial");
-}
-
-void parse_gradient(Options &o, Reader &r)
-{
-  const std::string form = r.word("gradient", "plain or corrected");
-  if (form != "plain" && form != "corrected") r.unknown("gradient", form, "plain or corrected");
-  o.corrected = (form == "corrected");
-}
-
-void parse_frame(Options &o, Reader &r)
-{
-  const std::string form = r.word("frame", "eulerian or lagrangian");
-  if (form == "eulerian")
-    o.frame = Frame::EULERIAN;
-  else if (form == "lagrangian")
-    o.frame = Frame::LAGRANGIAN;
-  else
-    r.unknown("frame", form, "eulerian or lagrangian");
-}
-
-void parse_distortion(Options &o, Reader &r)
-{
-  const std::string form = r.word("distortion", "error, warn or ignore");
-  if (form == "error")
-    o.distortion = Distortion::ERROR;
-  else if (form == "warn")
-    o.distortion = Distortion::WARN;
-  else if (form == "ignore")
-    o.distortion = Distortion::IGNORE;
-  else
-    r.unknown("distortion", form, "error, warn or ignore");
-}
-
-void parse_energy(Options &o, Reader &r)
-{
-  const std::string form = r.word("energy", "yes or no");
-  if (form != "yes" && form != "no") r.unknown("energy", form, "yes or no");
-  o.energy = (form == "yes");
+  o.tensile = r.choose<bool>("tensile", {{"none", false}, {"artificial", true}});
+  if (!o.tensile) return;
+  o.tensile_eps = r.number("tensile artificial", "eps", 0.0, false);
+  o.tensile_n = r.number("tensile artificial", "n", 0.0, true);
 }
 
 // what only one of the two frames has
@@ -243,17 +203,21 @@ Options SPHSolid::parse_options(LAMMPS *lmp, int narg, char **arg)
     if (keyword == "viscosity")
       parse_viscosity(o, r);
     else if (keyword == "gradient")
-      parse_gradient(o, r);
+      o.corrected = r.choose<bool>(keyword, {{"plain", false}, {"corrected", true}});
     else if (keyword == "tensile")
       parse_tensile(o, r);
     else if (keyword == "frame")
-      parse_frame(o, r);
+      o.frame = r.choose<Frame>(keyword,
+                                {{"eulerian", Frame::EULERIAN}, {"lagrangian", Frame::LAGRANGIAN}});
     else if (keyword == "hourglass")
       o.hourglass = r.number("hourglass", "c", 0.0, false);
     else if (keyword == "distortion")
-      parse_distortion(o, r);
+      o.distortion = r.choose<Distortion>(keyword,
+                                          {{"error", Distortion::ERROR},
+                                           {"warn", Distortion::WARN},
+                                           {"ignore", Distortion::IGNORE}});
     else if (keyword == "energy")
-      parse_energy(o, r);
+      o.energy = r.choose<bool>(keyword, {{"yes", true}, {"no", false}});
     else
       r.unknown("keyword", keyword,
                 "viscosity, gradient, tensile, frame, hourglass, distortion or energy");

@@ -19,6 +19,7 @@
 #include "sph_solid_lagrangian.h"
 #include "sph_solid_lagrangian_elastic.h"
 #include "sph_solid_lagrangian_heat.h"
+#include "sph_solid_lagrangian_limits.h"
 #include "sph_solid_lagrangian_partners.h"
 #include "sph_solid_lagrangian_rows.h"
 #include "sph_solid_lagrangian_viscous.h"
@@ -45,6 +46,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
   TensorSums<D> displacement, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   const Components<D> own = Base::own_motion(i);
+  const typename Base::CorrectionHeat heat(*this, i, needs_correction() ? at_along : X);
   Neighbors neighbors(*this, block, last);
   for (int s = first; s < end; s++) {
     const double *j = neighbors(s);
@@ -61,9 +63,14 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
     velocity.add(d.v, g);
     if (WORK == Work::NONE) continue;
     add_work<WORK>(kept_of_pairs, s, i, j, d, work);
-    if (s < near_end)
-      work.corrected =
-          multiply_add(load(near.of(s - first)), corrected_power<WORK>(i, j, d.v), work.corrected);
+    if (s >= near_end) continue;
+    Pack corrected = 0.0;
+    if (WORK == Work::WHOLE)
+      corrected = heat.of(j);
+    else    // compatible and conservative
+      for (int a = 0; a < D; a++)
+        corrected = multiply_add(d.v[a], corrected_along(i, j, a), corrected);
+    work.corrected = multiply_add(load(near.of(s - first)), corrected, work.corrected);
   }
   return {displacement.tensor(), velocity.tensor(), work};
 }
