@@ -145,13 +145,17 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   struct Arranging;
   template <class Call> void each_arranging(const Arranging &, Call);
 
-  // a sweep's view of them, by number of slot.  Of gathered ones there are components up to last only,
-  // and from the correction's on
+  // a sweep's view of them, by number of slot.  Of gathered ones there are components up to end and, if
+  // it is given, from second on: what the sweep stores of other blocks is not among them
   using View = typename Base::template SlotColumns<FIXED + SYMMETRIC + D + 1>;
   class Neighbors : private View {
    public:
-    Neighbors(const LagrangianSweeps &s, int block, int last) :
-        View(s, s.slots.gathered, block, 0, last, std::max(last, s.at_da), s.columns.components()),
+    Neighbors(const LagrangianSweeps &s, int block, int end) :
+        Neighbors(s, block, end, s.components())
+    {
+    }
+    Neighbors(const LagrangianSweeps &s, int block, int end, int second) :
+        View(s, s.slots.gathered, block, 0, end, second, s.components()),
         further(s.slots.further.data()), foremost(s.slots.foremost.data())
     {
     }

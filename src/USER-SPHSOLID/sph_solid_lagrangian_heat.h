@@ -140,7 +140,7 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
   const Pack V0 = batch.load(p.vref), half_mass = 0.5 * batch.load(p.mass);
   const auto near = near_factors(block);
   TensorSums<D> sum;
-  Neighbors neighbors(*this, block, at_da);
+  Neighbors neighbors(*this, block, at_da, at_da);
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::size_t k = s * std::size_t(LANES);
     const int n = s - slots.first[block];

@@ -75,7 +75,7 @@ void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Bat
     v[a] = component(i, V + a);
     f[a] = 0.0;
   }
-  Neighbors neighbors(*this, block, T);
+  Neighbors neighbors(*this, block, T, at_da);
   for (int s = first; s < end; s++) {
     const double *j = neighbors(s);
     const Pack w = load(near.of(s - first));
@@ -132,7 +132,7 @@ template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
   const double *i = columns.at(block * LANES);
   const auto near = near_weight.from(slots.near_first[block]);
   double *pulls = near_pull.data() + slots.near_first[block] * std::size_t(LANES);
-  Neighbors neighbors(*this, block, T);
+  Neighbors neighbors(*this, block, T, at_da);
   for (int n = 0; n < slots.nearest(block); n++, pulls += LANES) {
     const double *j = neighbors(slots.first[block] + n);
     store(pulls, load(near.of(n)) * Base::safe_pull_of(i, j, at_da));

@@ -47,7 +47,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   const Components<D> own = Base::own_motion(i);
   const typename Base::CorrectionHeat heat(*this, i, needs_correction() ? at_along : X);
-  Neighbors neighbors(*this, block, last);
+  Neighbors neighbors(*this, block, last, std::max(last, at_da));
   for (int s = first; s < end; s++) {
     const double *j = neighbors(s);
     neighbors.template prefetch_ahead<T>(s, j);
@@ -225,7 +225,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   each_index<D>([&](auto a) {
     stress[a] = central[a] = replaced[a] = zero;
   });
-  Neighbors neighbors(*this, block, at_da);
+  Neighbors neighbors(*this, block, at_da, at_rho);
 
   for (int s = first; s < end; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
