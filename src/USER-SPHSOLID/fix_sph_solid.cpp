@@ -169,6 +169,7 @@ void FixSPHSolid::setup(int)
                "Fix sph/solid: the box changes its size or shape and moves particles without a "
                "velocity, which gives no stress: expected fix deform ... remap v");
   if (!pair->has_resumed()) dt_pending = 0.0;
+  fixes_of_setup = names_of_fixes();
 }
 
 // a run begins: init() and setup_pre_exchange() are called by write_data, too
@@ -335,6 +336,20 @@ void FixSPHSolid::require_unchanged() const
     error->all(FLERR, Error::NOLASTLINE,
                "Fix sph/solid {}: the time step is {}: expected timestep with a value > 0", id,
                update->dt);
+  if (leading && fixes_of_setup != names_of_fixes())
+    error->all(
+        FLERR, Error::NOLASTLINE,
+        "A run with 'pre no' goes on from the last one, and fixes have come or gone since, "
+        "which LAMMPS would not call or call in vain: there were {} and there are {}: expected "
+        "a run without it",
+        fixes_of_setup, names_of_fixes());
+}
+
+std::string FixSPHSolid::names_of_fixes() const
+{
+  std::string names;
+  for (int k = 0; k < modify->nfix; k++) names += (k ? " " : "") + std::string(modify->fix[k]->id);
+  return names;
 }
 
 // neighbors are about to be new, and with them all that the last force evaluation left behind

@@ -23,6 +23,7 @@ FixStyle(sph/solid,FixSPHSolid);
 #include "fix.h"
 
 #include <cstdint>
+#include <string>
 
 namespace LAMMPS_NS {
 
@@ -64,11 +65,12 @@ class FixSPHSolid : public Fix {
   // between runs and in restart files nothing is pending: atom->esph has caught up, and what a run
   // that continues goes on from is in the atom style's esph_half, which goes where a particle goes
   bool caught_up;
-  bool continues;               // the next run finds the state that the last one left
-  std::uint64_t fingerprint;    // of that state
-  std::uint64_t forces_mark;    // of the forces of the last step
-  bool unsettled;               // a run has begun that continues if its first forces are the same
-  bool heats_itself;            // they are not: the heat of the next half kick is not on the way
+  bool continues;                // the next run finds the state that the last one left
+  std::uint64_t fingerprint;     // of that state
+  std::uint64_t forces_mark;     // of the forces of the last step
+  bool unsettled;                // a run has begun that continues if its first forces are the same
+  bool heats_itself;             // they are not: the heat of the next half kick is not on the way
+  std::string fixes_of_setup;    // names of all fixes when the last setup was
 
   static bool drives_box(const Fix *);
   std::uint64_t state_fingerprint(const double *esph) const;
@@ -80,6 +82,7 @@ class FixSPHSolid : public Fix {
   void settle();
   void start_from_rest();
   void require_unchanged() const;
+  std::string names_of_fixes() const;
   std::uint64_t mark_of_forces() const;
   bool moves_alone() const;
   void add_heat();

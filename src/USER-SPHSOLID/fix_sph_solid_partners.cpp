@@ -312,8 +312,9 @@ void FixSPHSolidPartners::present_partners(NeighList *list, int ii, double **cut
     double r2 = 0.0;
     for (int k = 0; k < 3; k++)
       r2 += (atom->x[i][k] - atom->x[j][k]) * (atom->x[i][k] - atom->x[j][k]);
-    if (!(vref[j] < 0.0 && r2 < cutsq[atom->type[i]][atom->type[j]])) continue;
-    if (r2 == 0.0)
+    const double kernel2 = cutsq[atom->type[i]][atom->type[j]];
+    if (!(vref[j] < 0.0 && r2 < kernel2)) continue;
+    if (r2 <= SPHSolid::SAME_PLACE * SPHSolid::SAME_PLACE * kernel2)
       error->one(FLERR, Error::NOLASTLINE,
                  "sph/solid, frame lagrangian: particles {} and {} lie at the same place {:.8g} "
                  "{:.8g} {:.8g}",

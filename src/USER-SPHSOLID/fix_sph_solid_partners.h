@@ -151,11 +151,13 @@ class FixSPHSolidPartners : public Fix {
   void drop(std::vector<tagint> &ids);
   bool periodic() const;
   double largest_distance() const;
+  bool others_come_first() const;
   double largest_distance_by_id() const;
   double square_of_distance(const double *a, const double *b) const;
   bool follows_partners() const;
   void cover(double distance);
   int near_image(int i, int j) const;
+  void require_near(int i, int image) const;
 };
 
 }    // namespace LAMMPS_NS

@@ -151,15 +151,21 @@ std::vector<tagint> FixSPHSolidPartners::partners_elsewhere() const
 int FixSPHSolidPartners::near_image(int i, int j) const
 {
   const int image = domain->closest_image(i, j);
+  require_near(i, image);
+  return image;
+}
+
+void FixSPHSolidPartners::require_near(int i, int image) const
+{
   const double *a = atom->x[i], *b = atom->x[image];
   for (int d = 0; d < domain->dimension; d++)
-    if (domain->periodicity[d] && std::fabs(a[d] - b[d]) > LARGEST_SHARE * domain->prd[d])
+    if (domain->periodicity[d] && !(std::fabs(a[d] - b[d]) <= LARGEST_SHARE * domain->prd[d]))
       error->one(FLERR, Error::NOLASTLINE,
-                 "sph/solid, frame lagrangian: particles {} and {} are partners and {:.6g} apart "
-                 "in step {}, nearly half the periodic box: expected one longer than {:.6g}",
-                 atom->tag[i], atom->tag[j], std::fabs(a[d] - b[d]), update->ntimestep,
-                 std::fabs(a[d] - b[d]) / LARGEST_SHARE);
-  return image;
+                 "sph/solid, frame lagrangian: particle {} at {:.8g} {:.8g} {:.8g} and its partner "
+                 "{} are {:.6g} apart in step {}, nearly half the periodic box: expected one "
+                 "longer than {:.6g}, or a shorter time step if they should be near",
+                 atom->tag[i], a[0], a[1], a[2], atom->tag[image], std::fabs(a[d] - b[d]),
+                 update->ntimestep, std::fabs(a[d] - b[d]) / LARGEST_SHARE);
 }
 
 std::vector<tagint> FixSPHSolidPartners::of_all_ranks(std::vector<tagint> &mine) const

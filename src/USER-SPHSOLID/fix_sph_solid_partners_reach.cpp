@@ -18,14 +18,17 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "modify.h"
 #include "neighbor.h"
 #include "pair_sph_solid.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace LAMMPS_NS;
+using namespace FixConst;
 
 // when partners outgrow the ghost cutoff, it grows by this much more than needed
 static constexpr double COVER_MORE = 1.25;
@@ -40,6 +43,7 @@ double FixSPHSolidPartners::largest_distance() const
       const double *a = atom->x[i], *b = atom->x[row[i][k]];
       double r2 = 0.0;
       for (int d = 0; d < 3; d++) r2 += (a[d] - b[d]) * (a[d] - b[d]);
+      if (!(r2 <= mine)) require_near(i, row[i][k]);    // no ghost cutoff reaches further
       mine = std::max(mine, r2);
     }
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -116,12 +120,23 @@ void FixSPHSolidPartners::cover(double distance)
 void FixSPHSolidPartners::pre_exchange()
 {
   if (!follows_partners()) return;
-  cover(largest_distance());
+  cover(others_come_first() ? largest_distance_by_id() : largest_distance());
   if (!reach_is_new) return;
   if (auto *pair = PairSPHSolid::ready(lmp)) pair->add_left_heat();
   reach_is_new = false;
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
+}
+
+// another fix may have wrapped particles round the box, or moved them to other ranks: rows are no
+// longer right then
+
+bool FixSPHSolidPartners::others_come_first() const
+{
+  for (int k = 0; k < modify->nfix && modify->fix[k] != this; k++)
+    if ((modify->fmask[k] & PRE_EXCHANGE) && strcmp(modify->fix[k]->style, "sph/solid") != 0)
+      return true;
+  return false;
 }
 
 void FixSPHSolidPartners::post_run()

@@ -152,6 +152,7 @@ class PairSPHSolid : public Pair {
   void warn_idle_velocities();
   void require_apart(const class Fix *);
   void require_heat_first();
+  void require_kept_velocities();
   void require_single_layer();
   void require_cold_materials();
   void fill_unset_state();

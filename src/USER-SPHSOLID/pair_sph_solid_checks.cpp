@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 using namespace LAMMPS_NS;
 using namespace SPHSolid;
@@ -114,7 +115,10 @@ void PairSPHSolid::require_one_integrator()
                "Pair style sph/solid: no time integration: expected a command like "
                "'fix 1 all sph/solid'");
 
-  if (options->energy) require_heat_first();
+  if (options->energy) {
+    require_heat_first();
+    require_kept_velocities();
+  }
   kicked = integrated;
   for (const auto &fix : modify->get_fix_list()) {
     if (!fix->time_integrate || strcmp(fix->style, "sph/solid") == 0) continue;
@@ -161,6 +165,30 @@ void PairSPHSolid::require_heat_first()
                  "Pair style sph/solid: fix {} of style {} moves {} particles before the first fix "
                  "sph/solid has found their heat: expected it behind that fix in the input",
                  fix->id, fix->style, all);
+  }
+}
+
+// nor behind its second kick, whose heat is found at the beginning of the next step
+
+void PairSPHSolid::require_kept_velocities()
+{
+  static const char *const CHANGERS[] = {"^heat", "^ehex", "^temp/", "^thermal/cond", "^viscosity"};
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix *fix = modify->fix[k];
+    const bool changes = std::any_of(std::begin(CHANGERS), std::end(CHANGERS), [fix](auto pattern) {
+      return utils::strmatch(fix->style, pattern);
+    });
+    if (!changes || !(modify->fmask[k] & FixConst::END_OF_STEP)) continue;
+    const bigint all = count_particles(atom->nlocal, world, [this, fix](int i) {
+      return (atom->mask[i] & fix->groupbit) && has_material(i);
+    });
+    if (all)
+      error->all(
+          FLERR, Error::NOLASTLINE,
+          "Pair style sph/solid: fix {} of style {} changes velocities at the end of a step, "
+          "before the heat of {} particles has been found from them: expected the velocity "
+          "command between runs, or energy no",
+          fix->id, fix->style, all);
   }
 }
 

@@ -163,7 +163,9 @@ void PairSPHSolid::require_distinct_places() const
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       const double *a = atom->x[i], *b = atom->x[j];
-      if (a[0] == b[0] && a[1] == b[1] && a[2] == b[2])
+      double r2 = 0.0;
+      for (int k = 0; k < 3; k++) r2 += (a[k] - b[k]) * (a[k] - b[k]);
+      if (r2 <= SAME_PLACE * SAME_PLACE * cutsq[atom->type[i]][atom->type[j]])
         error->one(FLERR, Error::NOLASTLINE,
                    "sph/solid: particles {} and {} lie at the same place {:.8g} {:.8g} {:.8g}",
                    atom->tag[i], atom->tag[j], a[0], a[1], a[2]);

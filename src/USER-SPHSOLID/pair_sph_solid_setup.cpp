@@ -112,6 +112,10 @@ void PairSPHSolid::coeff(int narg, char **arg)
 
 void PairSPHSolid::init_style()
 {
+  if (!compute_flag)
+    error->all(FLERR, Error::NOLASTLINE,
+               "Pair style sph/solid: 'pair_modify compute no' leaves particles without stress: "
+               "expected compute yes");
   require_environment();
   require_one_integrator();
   if (domain->dimension == 2) require_single_layer();

@@ -25,6 +25,7 @@
 #include "utils.h"
 
 #include <cmath>
+#include <fstream>
 #include <map>
 
 using namespace LAMMPS_NS;
@@ -182,18 +183,16 @@ class Card {
 
   void read(const std::string &path)
   {
-    FILE *in = fopen(path.c_str(), "r");
+    std::ifstream in(path);
     if (!in) return complain(0, "cannot be opened");
-    char line[MAXLINE];
-    for (int number = 1; problem.empty() && utils::fgets_trunc(line, MAXLINE, in); number++)
+    std::string line;
+    for (int number = 1; problem.empty() && std::getline(in, line); number++)
       take(number, utils::split_words(utils::trim_comment(line)));
-    fclose(in);
     if (problem.empty() && !seen)
       complain(0, "has no material '" + name + "': it holds" + (found.empty() ? " none" : found));
   }
 
  private:
-  static constexpr int MAXLINE = 1024;
   const std::string &file, &name;
   std::string found;
   std::map<std::string, int> lines;    // of the materials

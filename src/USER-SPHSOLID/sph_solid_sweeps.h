@@ -61,6 +61,9 @@ struct Options {
   bool energy = true;                           // the energy equation
 };
 
+// two particles this close, in ranges of their kernel, have been created twice
+constexpr double SAME_PLACE = 1.0e-6;
+
 // the Courant number that fix sph/solid/dt takes with cfl auto: Taylor rods whose foot tears stop with
 // 0.8, one of those without viscosity with 0.6.  doc/fix_sph_solid_dt.rst has the runs.  In the lagrangian
 // frame it follows from the reference (pair_sph_solid_resonance.cpp), and is never more than the

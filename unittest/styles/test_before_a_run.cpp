@@ -177,6 +177,50 @@ TEST(RefusedBeforeARun, TwoParticlesAtTheSamePlace)
   }
 }
 
+// as a command does that finds a place by arithmetic
+
+TEST(RefusedBeforeARun, TwoParticlesAtNearlyTheSamePlace)
+{
+  for (const std::string &frame : FRAMES) {
+    Block b = small(frame);
+    b.motion += "create_atoms 1 single 0.003 0.0030000000001 0 units box\n"
+                "set atom 49 volume 1e-6\n";
+    Session s;
+    s(b.script());
+    EXPECT_THAT(s.error("run 0"), HasSubstr("lie at the same place")) << frame;
+  }
+}
+
+TEST(RefusedBeforeARun, NoForces)
+{
+  for (const std::string &frame : FRAMES) {
+    Session s;
+    s(small(frame).script());
+    s("pair_modify compute no");
+    EXPECT_THAT(s.error("run 1"),
+                HasSubstr("'pair_modify compute no' leaves particles without "
+                          "stress: expected compute yes"));
+    s("pair_modify compute yes\nrun 1");
+  }
+}
+
+// the heat of a half kick is found one step later from velocities that are others then
+
+TEST(RefusedBeforeARun, FixesThatChangeVelocitiesAtTheEndOfAStep)
+{
+  for (const std::string &frame : FRAMES)
+    for (const char *fix :
+         {"temp/rescale 10 1e23 1e23 1e10 0.9", "temp/berendsen 1e23 1e23 1e-6", "heat 1 -1.0"}) {
+      Session s;
+      s(small(frame).script());
+      s(std::string("fix cool all ") + fix);
+      EXPECT_THAT(s.error("run 10"),
+                  HasSubstr("fix cool of style " + std::string(fix, std::strcspn(fix, " ")) +
+                            " changes velocities at the end of a step"))
+          << frame;
+    }
+}
+
 // masses follow from volumes in the first run: commands that divide by them are too early before
 
 TEST(RefusedBeforeARun, VelocitiesThatAreNotNumbers)

@@ -216,6 +216,14 @@ TEST(Card, CommentsAndLineBreaksDoNotMatter)
   EXPECT_EQ(pair_coeff("* * " + write_file("card", CARD_HEAD + CARD) + " one"), "");
 }
 
+TEST(Card, LinesMayBeLong)
+{
+  const std::string one_line = "material one\n rho0 7850 eos linear " + std::string(2000, ' ') +
+      "1.7e11 shear 80e9 strength elastic " + std::string(2000, ' ') + "h -1\n";
+  EXPECT_THAT(pair_coeff("* * " + write_file("card", CARD_HEAD + one_line) + " one"),
+              testing::ContainsRegex("h is -1"));
+}
+
 TEST(Card, EveryMaterialOfThePackageIsComplete)
 {
   std::istringstream in(read_file(SPHSOLID_TEST_ROOT "/potentials/metals.sphsolid"));

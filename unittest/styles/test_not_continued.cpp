@@ -262,6 +262,22 @@ TEST(RunWithoutSetup, IsRefusedAfterAChange)
   }
 }
 
+TEST(RunWithoutSetup, IsRefusedWithOtherFixes)
+{
+  for (const char *frame : {"lagrangian", "eulerian"})
+    for (const char *change :
+         {"unfix step", "fix push all addforce 1e5 0 0", "fix stop all momentum 10 linear 1 1 1"}) {
+      Block b = body();
+      b.frame = frame;
+      Session s;
+      s(b.script());
+      s("run 10\n" + std::string(change));
+      EXPECT_THAT(s.error("run 10 pre no"),
+                  testing::ContainsRegex("A run with 'pre no' .* fixes have come or gone since"))
+          << frame << change;
+    }
+}
+
 TEST(RunWithoutSetup, IsRefusedWithATimeStepThatIsNone)
 {
   Session s;

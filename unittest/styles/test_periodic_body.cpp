@@ -169,6 +169,41 @@ TEST(LagrangianPeriodic, PartnersHalfABoxApartAreAnError)
               HasSubstr("nearly half the periodic box: expected one longer than"));
 }
 
+// where they fly at once, no ghost cutoff follows them: it would be that of as many images of the box
+
+TEST(LagrangianPeriodic, PartnersThatExplodeAreAnError)
+{
+  for (const char *step : {"1e-3", "1e-5"}) {
+    Block b = body();
+    b.boundary = "p p";
+    b.box = "-0.02 0.04 -0.02 0.04";
+    b.fixes = std::string("fix move all sph/solid\ntimestep ") + step + "\n";
+    Session s;
+    s(b.script());
+    EXPECT_THAT(
+        s.error("run 100"),
+        testing::ContainsRegex("particle [0-9]+ at .* and its partner [0-9]+ are .* apart in "
+                               "step [0-9]+, nearly half the periodic box"))
+        << step;
+    EXPECT_LT(s.lmp->comm->cutghost[0], 0.06) << step;
+  }
+}
+
+// fix balance wraps particles round the box before partners are looked at
+
+TEST(LagrangianPeriodic, BalanceDoesNotTearPartnersApart)
+{
+  Block b = body();
+  b.boundary = "p p";
+  b.box = "-0.002 0.010 -0.003 0.012";
+  b.motion = "velocity all set 6e3 -6e3 0 units box\n";
+  b.fixes = "fix even all balance 10 1.0 shift xy 5 1.0\nfix move all sph/solid\ntimestep 5e-8\n";
+  Session s;
+  s(b.script());
+  s("run 120");
+  EXPECT_THAT(s.log(), Not(HasSubstr("ghost cutoff enlarged")));
+}
+
 TEST(LagrangianPeriodic, TriclinicBoxIsRefused)
 {
   Session s;
