@@ -212,9 +212,17 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   }
 
   // force
+  // sums over the pairs of a block, without factors of its own; whole: the viscous forces that no
+  // correction touches
+  struct PairForces {
+    Pack stress[D], g[D], crowded_g[D], pulled[D], whole[D], mu_least;
+  };
   template <PairForm FORM> void force_blocks(const Particles &);
   template <PairForm FORM, bool TENSILE, bool UNIFORM>
-  void force_block(const Particles &, int block, const Batch &);
+  [[gnu::always_inline]] inline PairForces sum_pairs(int block);
+  template <PairForm FORM, bool TENSILE>
+  [[gnu::always_inline]] inline void add_forces_of_pairs(const Particles &, int block,
+                                                         const Batch &, const PairForces &);
 
   // correction: what the force of a pair of nearest neighbors is along
   int along() const { return safe() ? X : at_da; }

@@ -303,7 +303,9 @@ template <int D> template <PairForm FORM> void EulerianSweeps<D>::force_blocks(c
   with_flags(
       [&](auto tensile, auto same) {
         each_block([&](int block, const Batch &batch, Totals &) {
-          force_block<FORM, decltype(tensile)::value, decltype(same)::value>(p, block, batch);
+          constexpr bool TENSILE = decltype(tensile)::value, UNIFORM = decltype(same)::value;
+          add_forces_of_pairs<FORM, TENSILE>(p, block, batch,
+                                             sum_pairs<FORM, TENSILE, UNIFORM>(block));
         });
       },
       opt.tensile, uniform);
@@ -313,7 +315,7 @@ template <int D> template <PairForm FORM> void EulerianSweeps<D>::force_blocks(c
 
 template <int D>
 template <PairForm FORM, bool TENSILE, bool UNIFORM>
-void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &batch)
+typename EulerianSweeps<D>::PairForces EulerianSweeps<D>::sum_pairs(int block)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, RATES = needs_rates(FORM);
   const double *i = columns.at(block * LANES);
@@ -388,24 +390,46 @@ void EulerianSweeps<D>::force_block(const Particles &p, int block, const Batch &
     d.add_to(pulled, q);
   }
 
+  PairForces sums;    // a copy: what has an address is kept in memory
+  each_index<D>([&](auto a) {
+    sums.stress[a] = stress[a];
+    sums.g[a] = g[a];
+    sums.crowded_g[a] = crowded_g[a];
+    sums.pulled[a] = pulled[a];
+    sums.whole[a] = whole[a];
+  });
+  sums.mu_least = mu_least;
+  return sums;
+}
+
+// what is the particles' own: T_i, K_i, masses
+
+template <int D>
+template <PairForm FORM, bool TENSILE>
+void EulerianSweeps<D>::add_forces_of_pairs(const Particles &p, int block, const Batch &batch,
+                                            const PairForces &sums)
+{
+  const bool viscous = FORM != PairForm::NONE, correct = viscous && needs_correction();
+  const double *i = columns.at(block * LANES);
   const Pack of_stress = unit_factor * component(i, K), of_mass = unit_factor * batch.load(p.mass);
   Pack f[D], acceleration[D];
-  each_index<D>([&](auto a) {
-    f[a] = stress[a];
-    each_index<D>([&](auto b) {    // by constants, else sums are kept in memory
-      f[a] = multiply_add(component(i, T + D * a + b), g[b], f[a]);
-      if (TENSILE) f[a] = multiply_add(component(i, at_tension + D * a + b), crowded_g[b], f[a]);
-    });
+  for (int a = 0; a < D; a++) {
+    f[a] = sums.stress[a];
+    for (int b = 0; b < D; b++) {
+      f[a] = multiply_add(component(i, T + D * a + b), sums.g[b], f[a]);
+      if (TENSILE)
+        f[a] = multiply_add(component(i, at_tension + D * a + b), sums.crowded_g[b], f[a]);
+    }
     f[a] *= of_stress;
-    if (VISCOUS) f[a] -= of_mass * (correct ? whole[a] : pulled[a]);
-    acceleration[a] = -unit_factor * pulled[a];
-  });
+    if (viscous) f[a] -= of_mass * (correct ? sums.whole[a] : sums.pulled[a]);
+    acceleration[a] = -unit_factor * sums.pulled[a];
+  }
   this->add_forces(p, batch, f);
-  if (VISCOUS && correct) {
+  if (correct) {
     columns.store(block * LANES, at_da, acceleration, D);
     columns.copy_to_rows(block * LANES, at_da, at_da + D);
   }
-  if (limits) store(&mu_max[block * LANES], -mu_least);
+  if (this->limits_step) store(&mu_max[block * LANES], -sums.mu_least);
 }
 
 }    // namespace
