@@ -491,7 +491,7 @@ void FixSPHSolidPartners::restart(char *buf)
 double FixSPHSolidPartners::memory_usage()
 {
   double bytes = (double) atom->nmax *
-      (sizeof(int) + sizeof(float) + (dim + 1) * sizeof(double) +
+      (sizeof(int) + sizeof(float) + (dim + 1) * sizeof(double) + 2 * sizeof(void *) +
        (1 + maxpartner) * sizeof(tagint));
   bytes += (double) index.capacity() * sizeof(int) + (double) row.capacity() * sizeof(int *);
   bytes += (double) (own.capacity() + count.capacity()) * sizeof(int);
