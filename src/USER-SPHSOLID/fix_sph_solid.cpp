@@ -345,10 +345,14 @@ void FixSPHSolid::require_unchanged() const
         fixes_of_setup, names_of_fixes());
 }
 
+// but for the one of the pair style, which has a message of its own
+
 std::string FixSPHSolid::names_of_fixes() const
 {
   std::string names;
-  for (int k = 0; k < modify->nfix; k++) names += (k ? " " : "") + std::string(modify->fix[k]->id);
+  for (int k = 0; k < modify->nfix; k++)
+    if (!utils::strmatch(modify->fix[k]->style, "^SPH/SOLID"))
+      names += (names.empty() ? "" : " ") + std::string(modify->fix[k]->id);
   return names;
 }
 
