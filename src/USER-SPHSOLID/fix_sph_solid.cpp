@@ -133,6 +133,22 @@ bool FixSPHSolid::drives_box(LAMMPS *lmp)
   return false;
 }
 
+bool FixSPHSolid::is_of_package(const Fix *fix)
+{
+  return utils::strmatch(fix->style, "^sph/solid") || utils::strmatch(fix->style, "^SPH/SOLID");
+}
+
+// has a fix that adds or removes particles, wraps them round the box or moves them to other ranks its turn
+// before this one, which then finds others than the last force evaluation left?
+
+bool FixSPHSolid::exchanged_before(LAMMPS *lmp, const Fix *one)
+{
+  const Modify *modify = lmp->modify;
+  for (int k = 0; k < modify->nfix && modify->fix[k] != one; k++)
+    if ((modify->fmask[k] & PRE_EXCHANGE) && !is_of_package(modify->fix[k])) return true;
+  return false;
+}
+
 /* ----------------------------------------------------------------------
    from one force evaluation to the next, do velocities change by our kicks only, and
    positions by our drift?  Fixes that act on forces do no harm
@@ -140,19 +156,16 @@ bool FixSPHSolid::drives_box(LAMMPS *lmp)
 
 bool FixSPHSolid::moves_alone() const
 {
-  const int place = modify->find_fix(id);
-  int others = 0, others_all = 0, moved_by_us = 0;
+  int others = exchanged_before(lmp, this) ? 1 : 0, others_all = 0, moved_by_us = 0;
   for (int k = 0; k < modify->nfix; k++) {
     const Fix *fix = modify->fix[k];
-    if (utils::strmatch(fix->style, "^sph/solid") || utils::strmatch(fix->style, "^SPH/SOLID")) {
+    if (is_of_package(fix)) {
       if (strcmp(fix->style, "sph/solid") == 0) moved_by_us |= fix->groupbit;
       if (group->dynamic[fix->igroup]) others = 1;
       continue;
     }
     const int between = INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE;
     if ((modify->fmask[k] & between) || drives_box(fix)) others = 1;
-    // one that adds, removes or moves particles to other ranks must not come first
-    if ((modify->fmask[k] & PRE_EXCHANGE) && k < place) others = 1;
   }
   for (int i = 0; i < atom->nlocal; i++) {
     const double *v = atom->v[i];

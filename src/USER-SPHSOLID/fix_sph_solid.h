@@ -52,6 +52,9 @@ class FixSPHSolid : public Fix {
   // does any fix change the size or shape of the box?
   static bool drives_box(class LAMMPS *);
 
+  // has another fix exchanged particles before the turn of this one?
+  static bool exchanged_before(class LAMMPS *, const Fix *);
+
   // length of the step whose second half kick is not heated yet [time]
   double pending_step() const { return dt_pending; }
 
@@ -73,6 +76,7 @@ class FixSPHSolid : public Fix {
   std::string fixes_of_setup;    // names of all fixes when the last setup was
 
   static bool drives_box(const Fix *);
+  static bool is_of_package(const Fix *);
   std::uint64_t state_fingerprint(const double *esph) const;
   std::uint64_t restart_fingerprint();
   void require_masses() const;

@@ -314,7 +314,7 @@ void FixSPHSolidPartners::present_partners(NeighList *list, int ii, double **cut
       r2 += (atom->x[i][k] - atom->x[j][k]) * (atom->x[i][k] - atom->x[j][k]);
     const double kernel2 = cutsq[atom->type[i]][atom->type[j]];
     if (!(vref[j] < 0.0 && r2 < kernel2)) continue;
-    if (r2 <= SPHSolid::SAME_PLACE * SPHSolid::SAME_PLACE * kernel2)
+    if (SPHSolid::at_same_place(r2, kernel2))
       error->one(FLERR, Error::NOLASTLINE,
                  "sph/solid, frame lagrangian: particles {} and {} lie at the same place {:.8g} "
                  "{:.8g} {:.8g}",

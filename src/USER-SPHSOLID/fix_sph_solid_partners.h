@@ -151,7 +151,6 @@ class FixSPHSolidPartners : public Fix {
   void drop(std::vector<tagint> &ids);
   bool periodic() const;
   double largest_distance() const;
-  bool others_come_first() const;
   double largest_distance_by_id() const;
   double square_of_distance(const double *a, const double *b) const;
   bool follows_partners() const;

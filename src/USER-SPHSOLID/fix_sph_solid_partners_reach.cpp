@@ -18,17 +18,15 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "modify.h"
+#include "fix_sph_solid.h"
 #include "neighbor.h"
 #include "pair_sph_solid.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
-using namespace FixConst;
 
 // when partners outgrow the ghost cutoff, it grows by this much more than needed
 static constexpr double COVER_MORE = 1.25;
@@ -120,23 +118,13 @@ void FixSPHSolidPartners::cover(double distance)
 void FixSPHSolidPartners::pre_exchange()
 {
   if (!follows_partners()) return;
-  cover(others_come_first() ? largest_distance_by_id() : largest_distance());
+  // rows are no longer right where others came first
+  cover(FixSPHSolid::exchanged_before(lmp, this) ? largest_distance_by_id() : largest_distance());
   if (!reach_is_new) return;
   if (auto *pair = PairSPHSolid::ready(lmp)) pair->add_left_heat();
   reach_is_new = false;
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
-}
-
-// another fix may have wrapped particles round the box, or moved them to other ranks: rows are no
-// longer right then
-
-bool FixSPHSolidPartners::others_come_first() const
-{
-  for (int k = 0; k < modify->nfix && modify->fix[k] != this; k++)
-    if ((modify->fmask[k] & PRE_EXCHANGE) && strcmp(modify->fix[k]->style, "sph/solid") != 0)
-      return true;
-  return false;
 }
 
 void FixSPHSolidPartners::post_run()

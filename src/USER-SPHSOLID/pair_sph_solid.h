@@ -151,6 +151,7 @@ class PairSPHSolid : public Pair {
   void require_one_integrator();
   void warn_idle_velocities();
   void require_apart(const class Fix *);
+  bigint count_of(const class Fix *);
   void require_heat_first();
   void require_kept_velocities();
   void require_single_layer();

@@ -150,6 +150,15 @@ void PairSPHSolid::warn_idle_velocities()
                    all);
 }
 
+// particles of a fix that have a material
+
+bigint PairSPHSolid::count_of(const Fix *fix)
+{
+  return count_particles(atom->nlocal, world, [this, fix](int i) {
+    return (atom->mask[i] & fix->groupbit) && has_material(i);
+  });
+}
+
 // the heat of a step is found from velocities that nobody has changed yet
 
 void PairSPHSolid::require_heat_first()
@@ -157,9 +166,7 @@ void PairSPHSolid::require_heat_first()
   for (const auto &fix : modify->get_fix_list()) {
     if (strcmp(fix->style, "sph/solid") == 0) return;
     if (!fix->time_integrate) continue;
-    const bigint all = count_particles(atom->nlocal, world, [this, fix](int i) {
-      return (atom->mask[i] & fix->groupbit) && has_material(i);
-    });
+    const bigint all = count_of(fix);
     if (all)
       error->all(FLERR,
                  "Pair style sph/solid: fix {} of style {} moves {} particles before the first fix "
@@ -179,9 +186,7 @@ void PairSPHSolid::require_kept_velocities()
       return utils::strmatch(fix->style, pattern);
     });
     if (!changes || !(modify->fmask[k] & FixConst::END_OF_STEP)) continue;
-    const bigint all = count_particles(atom->nlocal, world, [this, fix](int i) {
-      return (atom->mask[i] & fix->groupbit) && has_material(i);
-    });
+    const bigint all = count_of(fix);
     if (all)
       error->all(
           FLERR, Error::NOLASTLINE,

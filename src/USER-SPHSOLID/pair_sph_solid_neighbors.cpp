@@ -165,7 +165,7 @@ void PairSPHSolid::require_distinct_places() const
       const double *a = atom->x[i], *b = atom->x[j];
       double r2 = 0.0;
       for (int k = 0; k < 3; k++) r2 += (a[k] - b[k]) * (a[k] - b[k]);
-      if (r2 <= SAME_PLACE * SAME_PLACE * cutsq[atom->type[i]][atom->type[j]])
+      if (at_same_place(r2, cutsq[atom->type[i]][atom->type[j]]))
         error->one(FLERR, Error::NOLASTLINE,
                    "sph/solid: particles {} and {} lie at the same place {:.8g} {:.8g} {:.8g}",
                    atom->tag[i], atom->tag[j], a[0], a[1], a[2]);

@@ -61,8 +61,11 @@ struct Options {
   bool energy = true;                           // the energy equation
 };
 
-// two particles this close, in ranges of their kernel, have been created twice
-constexpr double SAME_PLACE = 1.0e-6;
+// have two particles, apart by r, been created twice?  But for rounding; squares, kernel: its range
+inline bool at_same_place(double r2, double kernel2)
+{
+  return r2 <= 1.0e-12 * kernel2;
+}
 
 // the Courant number that fix sph/solid/dt takes with cfl auto: Taylor rods whose foot tears stop with
 // 0.8, one of those without viscosity with 0.6.  doc/fix_sph_solid_dt.rst has the runs.  In the lagrangian

@@ -36,9 +36,9 @@ template <int D, class Real> inline Real balsara_switch(const Tensor<D, Real> &L
     const Real x = L(D - 1, 1) - L(1, D - 1), y = L(0, D - 1) - L(D - 1, 0);
     curl2 += x * x + y * y;
   }
+  // at rest it is 0 where the pressure has c^2 < 0
   const Real all = rate + square_root(curl2) + 1.0e-4 * c / h;
-  return where_positive(all, rate / all,
-                        Real(0.0));    // c is 0 where c^2 of the pressure is negative
+  return where_positive(all, rate / all, Real(0.0));
 }
 
 // how much of a deformation is compression: (div v)^2/(D:D), at most 1, D = (L + L^T)/2;

@@ -33,8 +33,8 @@ TEST(Switch, Balsara)
   G << 1.0, 0.0, 2.0, 3.0, 1.0, 0.0, 0.0, 6.0, 1.0;    // div 3, curl (6, 2, 3): 7
   EXPECT_DOUBLE_EQ((balsara_switch<3, double>(G, 20.0, 2.0)), 3.0 / (3.0 + 7.0 + 1e-3));
   EXPECT_EQ((balsara_switch<2, double>(Tensor<2>::Zero(), 20.0, 2.0)), 0.0);
-  EXPECT_EQ((balsara_switch<2, double>(Tensor<2>::Zero(), 0.0, 2.0)),
-            0.0);    // at rest, and c^2 < 0
+  // at rest, and c^2 < 0
+  EXPECT_EQ((balsara_switch<2, double>(Tensor<2>::Zero(), 0.0, 2.0)), 0.0);
   const Pack at_rest = balsara_switch<2, Pack>(Tensor<2, Pack>::Zero(), Pack(0.0), Pack(2.0));
   for (int m = 0; m < LANES; m++) EXPECT_EQ(at_rest[m], 0.0);
 }
