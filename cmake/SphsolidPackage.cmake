@@ -149,10 +149,6 @@ function(sphsolid_add_package lammps_root)
   target_link_libraries(sphsolid_physics INTERFACE Eigen3::Eigen sphsolid_flags)
 
   file(GLOB sources CONFIGURE_DEPENDS ${package_dir}/*.cpp)
-  if(NOT sources)
-    message(WARNING "No sources in ${package_dir}: LAMMPS is built without the package")
-    return()
-  endif()
 
   # An object library instead of more sources of `lammps`: it can have flags of its own, and the
   # plugin uses the same objects. It is compiled like LAMMPS itself, whose headers are not checked

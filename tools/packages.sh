@@ -1,4 +1,10 @@
-# Finds out what this machine lacks and installs it with apt-get. Sourced by ./sphsolid.
+# Finds out what this machine lacks and installs it with apt-get. Sourced by ./sphsolid and the scripts of tools.
+
+# run <command> [arguments]: what all of them print before they do it
+run() {
+  echo "+ $*"
+  "$@"
+}
 
 has_command() { command -v "$1" > /dev/null; }
 

@@ -21,10 +21,7 @@ jobs=${JOBS:-$(nproc)}
 scene=$root/tools/test/in.smoke
 trap 'tail -n 30 "$folder"/*.log >&2' ERR    # stdout may be one of these logs
 
-run() {
-  echo "+ $*"
-  "$@"
-}
+source "$root/tools/packages.sh"    # run()
 
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$ordinary/CMakeCache.txt"; }
 

@@ -9,6 +9,7 @@ user=0
 has_command() { [[ " $installed " == *" $1 "* ]]; }
 has_header() { return 0; }
 id() { echo $user; }
+declare -F run > /dev/null || { echo "FAILED: who sources packages.sh has no run()" && exit 1; }
 run() { echo "+ $*"; }
 fail() { echo "FAILED: $1" && exit 1; }
 
