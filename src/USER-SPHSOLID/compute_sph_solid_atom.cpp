@@ -21,8 +21,8 @@
 #include "update.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
+#include <numeric>
 
 using namespace LAMMPS_NS;
 
@@ -52,10 +52,11 @@ ComputeSPHSolidAtom::ComputeSPHSolidAtom(LAMMPS *lmp, int narg, char **arg) :
                  "this version has it",
                  name);
     if (which[n] < 0)
-      error->all(FLERR, n + 3,
-                 "Compute sph/solid/atom: unknown name '{}': expected rho, p, e, c, "
-                 "epl, vonmises, sxx, syy, szz, sxy, sxz, syz, h or neigh",
-                 name);
+      error->all(
+          FLERR, n + 3, "Compute sph/solid/atom: unknown name '{}': expected one of{}", name,
+          std::accumulate(NAMES, NAMES + NQUANTITIES, std::string(), [](auto list, auto next) {
+            return list + " " + next;
+          }));
     if (which[n] == E) needs_pending = true;
   }
 

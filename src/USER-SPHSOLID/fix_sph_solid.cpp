@@ -156,23 +156,24 @@ bool FixSPHSolid::exchanged_before(LAMMPS *lmp, const Fix *one)
 
 bool FixSPHSolid::moves_alone() const
 {
-  int others = exchanged_before(lmp, this) ? 1 : 0, others_all = 0, moved_by_us = 0;
+  bool others = exchanged_before(lmp, this);
+  int moved_by_us = 0;
   for (int k = 0; k < modify->nfix; k++) {
     const Fix *fix = modify->fix[k];
     if (is_of_package(fix)) {
       if (strcmp(fix->style, "sph/solid") == 0) moved_by_us |= fix->groupbit;
-      if (group->dynamic[fix->igroup]) others = 1;
+      if (group->dynamic[fix->igroup]) others = true;
       continue;
     }
     const int between = INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE;
-    if ((modify->fmask[k] & between) || drives_box(fix)) others = 1;
+    if ((modify->fmask[k] & between) || drives_box(fix)) others = true;
   }
   for (int i = 0; i < atom->nlocal; i++) {
     const double *v = atom->v[i];
-    if (!(atom->mask[i] & moved_by_us) && (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0)) others = 1;
+    if (!(atom->mask[i] & moved_by_us) && (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0))
+      others = true;
   }
-  MPI_Allreduce(&others, &others_all, 1, MPI_INT, MPI_MAX, world);
-  return others_all == 0;
+  return !SPHSolid::on_any_rank(others, world);
 }
 
 void FixSPHSolid::setup(int)
@@ -461,33 +462,47 @@ std::uint64_t FixSPHSolid::restart_fingerprint()
   return state_fingerprint(own->esph_half);
 }
 
+namespace {
+
+struct Saved {
+  double dt_pending;
+  std::uint64_t fingerprint;
+  SPHSolid::Ledger ledger;    // of all ranks
+  std::uint64_t forces_mark;
+};
+
+}    // namespace
+
 void FixSPHSolid::write_restart(FILE *fp)
 {
-  double list[7] = {dt_pending};
   if (pair && dt_pending > 0.0) pair->keep_half_step();
-  const std::uint64_t mark = pair ? restart_fingerprint() : 0;
-  std::memcpy(&list[1], &mark, sizeof(mark));
-  std::memcpy(&list[6], &forces_mark, sizeof(forces_mark));
+  Saved saved = {dt_pending, pair ? restart_fingerprint() : 0, {}, 0};
+  saved.forces_mark = forces_mark;    // which restart_fingerprint() may have changed
   if (pair && leading) {
     const SPHSolid::Ledger &l = pair->ledger();
-    double mine[4] = {l.plastic_work, l.viscous_heat, l.returned, l.hourglass};
-    MPI_Reduce(mine, list + 2, 4, MPI_DOUBLE, MPI_SUM, 0, world);
+    double mine[4] = {l.plastic_work, l.viscous_heat, l.returned, l.hourglass}, all[4] = {};
+    MPI_Reduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, 0, world);
+    saved.ledger = {all[0], all[1], all[2], all[3]};
   }
   if (comm->me == 0) {
-    int size = sizeof(list);
+    const int size = sizeof(saved);
     fwrite(&size, sizeof(int), 1, fp);
-    fwrite(list, sizeof(double), 7, fp);
+    fwrite(&saved, sizeof(saved), 1, fp);
   }
 }
 
+// the settings of the pair style, which come first in the file, say that it has this layout
+
 void FixSPHSolid::restart(char *buf)
 {
-  double list[7];
-  std::memcpy(list, buf, sizeof(list));
-  dt_pending = list[0];
-  std::memcpy(&fingerprint, &list[1], sizeof(fingerprint));
-  std::memcpy(&forces_mark, &list[6], sizeof(forces_mark));
+  Saved saved;
+  std::memcpy(&saved, buf, sizeof(saved));
+  dt_pending = saved.dt_pending;
+  fingerprint = saved.fingerprint;
+  forces_mark = saved.forces_mark;
   auto *p = dynamic_cast<PairSPHSolid *>(force->pair_match("sph/solid", 1));
-  const bool led = list[2] != 0.0 || list[3] != 0.0 || list[4] != 0.0 || list[5] != 0.0;
-  if (p && led && comm->me == 0) p->ledger() = {list[2], list[3], list[4], list[5]};
+  const SPHSolid::Ledger &l = saved.ledger;
+  const bool led = l.plastic_work != 0.0 || l.viscous_heat != 0.0 || l.returned != 0.0 ||
+      l.hourglass != 0.0;
+  if (p && led && comm->me == 0) p->ledger() = l;
 }

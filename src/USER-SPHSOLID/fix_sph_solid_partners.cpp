@@ -20,6 +20,7 @@
 #include "fix_sph_solid.h"
 #include "memory.h"
 #include "neigh_list.h"
+#include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 
 #include <algorithm>
@@ -127,7 +128,7 @@ void FixSPHSolidPartners::widen(int n)
 
 void FixSPHSolidPartners::forget(int groupbit)
 {
-  if (on_any_rank(cuts_body(groupbit)))
+  if (SPHSolid::on_any_rank(cuts_body(groupbit), world))
     error->all(FLERR,
                "Fix_modify reference renew: the group of the fix ends inside a body: expected "
                "whole bodies");
@@ -165,19 +166,12 @@ bool FixSPHSolidPartners::cuts_body(int groupbit) const
   return false;
 }
 
-bool FixSPHSolidPartners::on_any_rank(bool here) const
-{
-  int mine = here ? 1 : 0, any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  return any != 0;
-}
-
 bool FixSPHSolidPartners::anyone_without(int **setflag) const
 {
   bool without = false;
   for (int i = 0; i < atom->nlocal; i++)
     if (needs_reference(i, setflag)) without = true;
-  return on_any_rank(without);
+  return SPHSolid::on_any_rank(without, world);
 }
 
 /* ----------------------------------------------------------------------
@@ -309,9 +303,7 @@ void FixSPHSolidPartners::present_partners(NeighList *list, int ii, double **cut
   found.clear();
   for (int jj = 0; jj < list->numneigh[i]; jj++) {
     const int j = list->firstneigh[i][jj] & NEIGHMASK;
-    double r2 = 0.0;
-    for (int k = 0; k < 3; k++)
-      r2 += (atom->x[i][k] - atom->x[j][k]) * (atom->x[i][k] - atom->x[j][k]);
+    const double r2 = SPHSolid::square_of_distance(atom->x[i], atom->x[j]);
     const double kernel2 = cutsq[atom->type[i]][atom->type[j]];
     if (!(vref[j] < 0.0 && r2 < kernel2)) continue;
     if (SPHSolid::at_same_place(r2, kernel2))
@@ -362,7 +354,7 @@ void FixSPHSolidPartners::set_arrays(int i)
   vref[i] = 0.0;
 }
 
-int FixSPHSolidPartners::pack_row(int i, double *buf) const
+int FixSPHSolidPartners::pack_exchange(int i, double *buf)
 {
   int m = 0;
   buf[m++] = ubuf(npartner[i]).d;
@@ -374,7 +366,7 @@ int FixSPHSolidPartners::pack_row(int i, double *buf) const
   return m;
 }
 
-int FixSPHSolidPartners::unpack_row(int i, const double *buf)
+int FixSPHSolidPartners::unpack_exchange(int i, double *buf)
 {
   int m = 0;
   npartner[i] = static_cast<int>(ubuf(buf[m++]).i);
@@ -384,16 +376,6 @@ int FixSPHSolidPartners::unpack_row(int i, const double *buf)
   for (int k = 0; k < dim; k++) xref[i][k] = buf[m++];
   vref[i] = buf[m++];
   return m;
-}
-
-int FixSPHSolidPartners::pack_exchange(int i, double *buf)
-{
-  return pack_row(i, buf);
-}
-
-int FixSPHSolidPartners::unpack_exchange(int i, double *buf)
-{
-  return unpack_row(i, buf);
 }
 
 int FixSPHSolidPartners::pack_border(int n, int *list, double *buf)
@@ -444,7 +426,7 @@ int FixSPHSolidPartners::maxsize_restart()
 int FixSPHSolidPartners::pack_restart(int i, double *buf)
 {
   buf[0] = size_restart(i);
-  pack_row(i, buf + 1);
+  pack_exchange(i, buf + 1);
   return size_restart(i);
 }
 
@@ -461,7 +443,7 @@ void FixSPHSolidPartners::unpack_restart(int i, int nth)
                "particle {}, expected {}: it was written by another version of the package",
                static_cast<int>(extra[m]), atom->tag[i], expected);
   widen(n);
-  unpack_row(i, extra + m + 1);
+  unpack_exchange(i, extra + m + 1);
 }
 
 // of the reference: how many numbers follow, lengths of the box in three directions, reach of the types

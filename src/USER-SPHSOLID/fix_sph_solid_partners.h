@@ -129,8 +129,6 @@ class FixSPHSolidPartners : public Fix {
   std::uint64_t seen;    // fingerprint of the IDs of all particles when this was found
   std::vector<int *> row;
 
-  int pack_row(int, double *) const;
-  int unpack_row(int, const double *);
   void widen(int);
   std::uint64_t fingerprint_of_ids() const;
   bool needs_reference(int i, int **setflag) const;
@@ -142,7 +140,6 @@ class FixSPHSolidPartners : public Fix {
   int where_own(tagint) const;
   std::vector<tagint> partners_elsewhere() const;
   bool cuts_body(int groupbit) const;
-  bool on_any_rank(bool) const;
   std::vector<tagint> of_all_ranks(std::vector<tagint> &mine) const;
   Bodies joined(const std::map<tagint, bigint> &sizes, const std::vector<tagint> &same,
                 bigint mixed) const;
@@ -152,7 +149,7 @@ class FixSPHSolidPartners : public Fix {
   bool periodic() const;
   double largest_distance() const;
   double largest_distance_by_id() const;
-  double square_of_distance(const double *a, const double *b) const;
+  double square_of_nearest(const double *a, const double *b) const;
   bool follows_partners() const;
   void cover(double distance);
   int near_image(int i, int j) const;

@@ -27,6 +27,12 @@
 
 using namespace LAMMPS_NS;
 
+static void order_once(std::vector<tagint> &ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
 // partners may be so much of a periodic box apart
 static constexpr double LARGEST_SHARE = 0.45;
 
@@ -132,17 +138,13 @@ int FixSPHSolidPartners::where_own(tagint of) const
 
 std::vector<tagint> FixSPHSolidPartners::partners_elsewhere() const
 {
-  auto once = [](std::vector<tagint> &ids) {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  };
   std::vector<tagint> mine;
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < npartner[i]; k++)
       if (where_own(partner[i][k]) < 0) mine.push_back(partner[i][k]);
-  once(mine);
+  order_once(mine);
   std::vector<tagint> all = of_all_ranks(mine);
-  once(all);
+  order_once(all);
   return all;
 }
 
@@ -244,8 +246,7 @@ void FixSPHSolidPartners::resolve_missing(std::vector<tagint> &missing, bool set
 void FixSPHSolidPartners::drop(std::vector<tagint> &ids)
 {
   nchanges++;
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  order_once(ids);
   for (int i = 0; i < atom->nlocal; i++) {
     int kept = 0;
     for (int k = 0; k < npartner[i]; k++)

@@ -21,6 +21,7 @@
 #include "fix_sph_solid.h"
 #include "neighbor.h"
 #include "pair_sph_solid.h"
+#include "sph_solid_sweeps.h"
 #include "update.h"
 
 #include <algorithm>
@@ -38,9 +39,7 @@ double FixSPHSolidPartners::largest_distance() const
   double mine = 0.0, all = 0.0;
   for (const int i : own)
     for (int k = 0; k < count[i]; k++) {
-      const double *a = atom->x[i], *b = atom->x[row[i][k]];
-      double r2 = 0.0;
-      for (int d = 0; d < 3; d++) r2 += (a[d] - b[d]) * (a[d] - b[d]);
+      const double r2 = SPHSolid::square_of_distance(atom->x[i], atom->x[row[i][k]]);
       if (!(r2 <= mine)) require_near(i, row[i][k]);    // no ghost cutoff reaches further
       mine = std::max(mine, r2);
     }
@@ -74,7 +73,7 @@ double FixSPHSolidPartners::largest_distance_by_id() const
         if (places[4 * at + 3] == 0.0) continue;    // it has been deleted
         place = &places[4 * at];
       }
-      most = std::max(most, square_of_distance(atom->x[i], place));
+      most = std::max(most, square_of_nearest(atom->x[i], place));
     }
   MPI_Allreduce(&most, &most_all, 1, MPI_DOUBLE, MPI_MAX, world);
   return std::sqrt(most_all);
@@ -82,7 +81,7 @@ double FixSPHSolidPartners::largest_distance_by_id() const
 
 // of the nearest images
 
-double FixSPHSolidPartners::square_of_distance(const double *a, const double *b) const
+double FixSPHSolidPartners::square_of_nearest(const double *a, const double *b) const
 {
   double r2 = 0.0;
   for (int d = 0; d < 3; d++) {

@@ -65,7 +65,7 @@ class FixSPHSolidWall : public Fix {
   double reaction;                  // total normal force, this rank
   bool added;                       // since the last run
   double dt_used;                   // time step that the present reactions are for
-  bool kicked;                      // and half a kick has been made with them
+  bool kicked = false;              // and half a kick has been made with them
   struct Reaction {
     int i;
     double force;    // along the normal

@@ -24,7 +24,6 @@
 #include "memory.h"
 #include "neigh_list.h"
 #include "neighbor.h"
-#include "sph_solid_compat.h"
 #include "sph_solid_eos.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
@@ -35,6 +34,13 @@
 
 using namespace LAMMPS_NS;
 using namespace SPHSolid;
+
+// LAMMPS 4 Feb 2025 to 4 Jul 2026; the version (YYYYMMDD) is taken from LAMMPS' version.h by the build system
+#ifndef SPHSOLID_LMP_VERSION
+#error "SPHSOLID_LMP_VERSION is not set: build through cmake/USER-SPHSOLID.cmake"
+#elif SPHSOLID_LMP_VERSION < 20250204
+#error "USER-SPHSOLID needs LAMMPS 4 Feb 2025 or newer"
+#endif
 
 static const char cite_sph_solid[] =
     "pair sph/solid command: doi:10.1016/j.cma.2009.09.006\n\n"
@@ -48,14 +54,14 @@ static const char cite_sph_solid[] =
     " pages = {3962--3974}\n"
     "}\n\n";
 
-// the end of the Lagrangian frame is looked for every so many steps
+// the end of the Lagrangian frame, and that of the equation of state, are looked for every so many steps
 static constexpr int OVERLOAD_EVERY = 20;
 
 /* ---------------------------------------------------------------------- */
 
 PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
-    Pair(lmp), options(nullptr), types(nullptr), own(nullptr), sweeps(nullptr), kept(nullptr),
-    partners(nullptr), partners_gone(false)
+    Pair(lmp), options(new Options), own(nullptr), kept(new Ledger), partners(nullptr),
+    partners_gone(false)
 {
   if (lmp->citeme) lmp->citeme->add(cite_sph_solid);
   single_enable = 0;
@@ -66,13 +72,13 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
   no_virial_fdotr_compute = 1;
   centroidstressflag = CENTROID_NOTAVAIL;
 
-  options = new Options;
-  kept = new Ledger;
   message = Message::STRESS;
   displacement_time = courant_number = 0.0;
   resonance_wanted = false;
   resonance_of = 0;
-  resume = resumed = warned_lost = warned_overload = logged = apart_logged = false;
+  resume = resumed = warned_lost = warned_overload = warned_compression = logged = apart_logged =
+      false;
+  uncorrected_logged = false;
   message_of_sweeps = half_step_kept = true;
   integrated = kicked = list_threads = 0;
   evaluated_own = evaluated_all = -1;
@@ -85,10 +91,6 @@ PairSPHSolid::~PairSPHSolid()
     memory->destroy(cutsq);
   }
   leave_partners();
-  delete options;
-  delete[] types;
-  delete sweeps;
-  delete kept;
 }
 
 /* ----------------------------------------------------------------------
@@ -114,6 +116,7 @@ void PairSPHSolid::compute(int eflag, int vflag)
 
   const int unphysical = sweeps->gradient(p, list, dt);
   if (unphysical >= 0) stop_unphysical(unphysical);
+  if (!partners && !uncorrected_logged) log_uncorrected();
   forward(Message::STRESS);
   sweeps->mirror_stress();
 
@@ -137,10 +140,9 @@ void PairSPHSolid::compute(int eflag, int vflag)
   if (vflag_global) sweeps->virial(p, list, virial);
   evaluated_own = p.nlocal;
   evaluated_all = p.nall;
-  if (partners) {
-    if (neighbor->ago % OVERLOAD_EVERY == 0) report_overload();
-  } else if (neighbor->ago == 0 && !setup)
-    warn_lost_neighbors();
+  if (partners && neighbor->ago % OVERLOAD_EVERY == 0) report_overload();
+  if (!partners && neighbor->ago == 0 && !setup) warn_lost_neighbors();
+  if (neighbor->ago % OVERLOAD_EVERY == 0) warn_compression();
 }
 
 /* ----------------------------------------------------------------------
@@ -250,6 +252,23 @@ void PairSPHSolid::warn_lost_neighbors()
   }
 }
 
+// finite numbers, but not those of a metal
+
+void PairSPHSolid::warn_compression()
+{
+  for (int i = 0; i < atom->nlocal && !warned_compression; i++) {
+    if (!has_material(i) || !gives_way(i)) continue;
+    error->warning(
+        FLERR,
+        "sph/solid: particle {} at {:.8g} {:.8g} {:.8g} has {:.4g} times its density at "
+        "rest in step {}, where its equation of state ends: further compression meets no "
+        "resistance (further ones of this rank are not reported)",
+        atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2],
+        atom->rho[i] * atom->vfrac[i] / atom->rmass[i], update->ntimestep);
+    warned_compression = true;
+  }
+}
+
 // the Lagrangian frame follows a body until its particles turn over or pass
 // through each other
 
@@ -263,14 +282,12 @@ void PairSPHSolid::report_overload()
       "", "its deformation gradient has turned over, with determinant",
       "it is squeezed flat, with a least principal stretch of",
       "it lies on a partner, their distance over that in the reference is"};
-  char text[512];
-  snprintf(
-      text, sizeof(text),
+  const std::string text = fmt::format(
       "sph/solid, frame lagrangian: the deformation is beyond what this frame can follow at "
-      "particle %lld at %.8g %.8g %.8g in step %lld: %s %.4g. Use frame eulerian for fracture, "
+      "particle {} at {:.8g} {:.8g} {:.8g} in step {}: {} {:.4g}. Use frame eulerian for fracture, "
       "splash and self-contact, or pair_style keyword distortion warn to go on",
-      (long long) atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2],
-      (long long) update->ntimestep, WHAT[end.kind], end.value);
+      atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2], update->ntimestep, WHAT[end.kind],
+      end.value);
   if (options->distortion == Distortion::ERROR) error->one(FLERR, Error::NOLASTLINE, text);
   error->warning(FLERR, text);
   warned_overload = true;

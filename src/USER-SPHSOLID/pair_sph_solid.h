@@ -24,6 +24,7 @@ PairStyle(sph/solid,PairSPHSolid);
 #include "pair.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace SPHSolid {
@@ -106,6 +107,7 @@ class PairSPHSolid : public Pair {
   double von_mises(int) const;
   double elastic_energy(int) const;
   double sound_speed(int) const;
+  bool gives_way(int) const;    // is it compressed so far that its equation of state has ended?
   double smoothing_length(int) const;
   double largest_smoothing_length() const;
   int neighbor_count(int) const;
@@ -122,11 +124,11 @@ class PairSPHSolid : public Pair {
   static PairSPHSolid *find_ready(class LAMMPS *, const char *caller);
 
  private:
-  SPHSolid::Options *options;
-  SPHSolid::TypeData *types;     // one per atom type, from 1
-  struct SPHSolidArrays *own;    // of the atom style
-  SPHSolid::Sweeps *sweeps;
-  SPHSolid::Ledger *kept;    // energy ledger, while the sweeps are built anew
+  std::unique_ptr<SPHSolid::Options> options;
+  std::vector<SPHSolid::TypeData> types;    // one per atom type, from 1
+  struct SPHSolidArrays *own;               // of the atom style
+  std::unique_ptr<SPHSolid::Sweeps> sweeps;
+  std::unique_ptr<SPHSolid::Ledger> kept;    // energy ledger, while the sweeps are built anew
 
   class FixSPHSolidPartners *partners;    // of the Lagrangian frame, else nullptr
   bool partners_gone;                     // somebody has deleted that fix
@@ -140,10 +142,11 @@ class PairSPHSolid : public Pair {
   int integrated;               // group bits of all fix sph/solid
   int kicked;                   // and of fixes that kick by force over mass as well
   bool warned_lost;             // warn once per run
-  bool warned_overload;
+  bool warned_overload, warned_compression;
   int evaluated_own, evaluated_all;    // particles of the last evaluation, -1: none
   bool logged;                         // the materials are in the log
   bool apart_logged;                   // and types that do not act on each other
+  bool uncorrected_logged;             // and how many particles have no gradient correction
   int list_threads;                    // each has pages of its own in the neighbor list
 
   void allocate();
@@ -156,6 +159,7 @@ class PairSPHSolid : public Pair {
   void require_kept_velocities();
   void require_single_layer();
   void require_cold_materials();
+  void require_crowding() const;
   void fill_unset_state();
   void require_state();
   void require_plausible_state();
@@ -184,6 +188,7 @@ class PairSPHSolid : public Pair {
   void stop_unphysical(int);
   void warn_lost_neighbors();
   void report_overload();
+  void warn_compression();
   SPHSolid::Particles particles() const;
   SPHSolid::NeighborRows rows() const;
   // the largest stable step of the reference, in pair_sph_solid_resonance.cpp

@@ -24,6 +24,8 @@
 #include "force.h"
 #include "group.h"
 #include "modify.h"
+#include "sph_solid_kernel.h"
+#include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 #include "update.h"
 
@@ -46,11 +48,10 @@ static constexpr double ODD_DENSITY = 0.1;
 
 template <class Call> static bigint count_particles(int n, MPI_Comm world, Call is)
 {
-  bigint mine = 0, all = 0;
+  bigint mine = 0;
   for (int i = 0; i < n; i++)
     if (is(i)) mine++;
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all;
+  return sum_over_ranks(mine, world);
 }
 
 // between runs pair_style commands can take the pair style away or make a new one
@@ -233,6 +234,18 @@ void PairSPHSolid::require_cold_materials()
                  i, types[i].material.Gamma);
 }
 
+// the artificial stress compares the kernel of a pair with that at the spacing
+
+void PairSPHSolid::require_crowding() const
+{
+  for (int i = 1; i <= atom->ntypes; i++)
+    if (setflag[i][i] && SUPPORT * types[i].h <= types[i].spacing)
+      error->all(FLERR,
+                 "Pair style sph/solid, tensile artificial: the smoothing length of type {} is "
+                 "{:.4g} spacings, and its kernel is 0 at the spacing: expected more than 0.5",
+                 i, types[i].h / types[i].spacing);
+}
+
 /* ----------------------------------------------------------------------
    before a run: numbers, and a mass that belongs to the volume.  Other atom styles, and "set volume"
    after masses have followed from volumes, make others
@@ -240,10 +253,9 @@ void PairSPHSolid::require_cold_materials()
 
 void PairSPHSolid::require_plausible_state()
 {
-  bigint mine = 0, all = 0;
+  bigint mine = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    const int t = atom->type[i];
-    if (!setflag[t][t]) continue;
+    if (!has_material(i)) continue;
     const double *v = atom->v[i];
     if (!std::isfinite(v[0] + v[1] + v[2]))
       error->one(
@@ -251,10 +263,11 @@ void PairSPHSolid::require_plausible_state()
           "sph/solid: particle {} has the velocity {} {} {}: expected numbers. Commands that "
           "divide by masses, such as velocity create, need a 'run 0' or 'set ... mass' before",
           atom->tag[i], v[0], v[1], v[2]);
-    const double share = reference_density(atom->rmass[i], atom->vfrac[i]) / types[t].material.rho0;
+    const double share =
+        reference_density(atom->rmass[i], atom->vfrac[i]) / types[atom->type[i]].material.rho0;
     if (share < 1.0 / ODD_MASS || share > ODD_MASS) mine++;
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  const bigint all = sum_over_ranks(mine, world);
   if (all && comm->me == 0)
     error->warning(FLERR,
                    "sph/solid: the mass of {} particles is less than half or more than twice their "
@@ -269,7 +282,7 @@ void PairSPHSolid::require_plausible_state()
 
 void PairSPHSolid::warn_odd_densities()
 {
-  bigint mine = 0, all = 0;
+  bigint mine = 0;
   tagint first = MAXTAGINT, first_all = 0;
   double numbers[2] = {}, numbers_all[2] = {};    // of the first: density, mass over volume
   for (int i = 0; i < atom->nlocal; i++) {
@@ -287,7 +300,7 @@ void PairSPHSolid::warn_odd_densities()
     numbers[0] = atom->rho[i];
     numbers[1] = at_rest;
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  const bigint all = sum_over_ranks(mine, world);
   if (!all) return;
   MPI_Allreduce(&first, &first_all, 1, MPI_LMP_TAGINT, MPI_MIN, world);
   if (first != first_all) numbers[0] = numbers[1] = 0.0;
@@ -307,8 +320,7 @@ void PairSPHSolid::warn_odd_densities()
 void PairSPHSolid::require_state()
 {
   for (int i = 0; i < atom->nlocal; i++) {
-    const int t = atom->type[i];
-    if (!setflag[t][t]) continue;
+    if (!has_material(i)) continue;
     if (!(atom->vfrac[i] > 0.0) || !(atom->rmass[i] > 0.0) || !(atom->rho[i] > 0.0))
       error->one(
           FLERR, Error::NOLASTLINE,

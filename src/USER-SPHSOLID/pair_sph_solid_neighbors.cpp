@@ -21,7 +21,6 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_sph_solid_partners.h"
-#include "fix_sph_solid_wall.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -104,13 +103,12 @@ bool PairSPHSolid::has_unlike_materials() const
 
 void PairSPHSolid::log_uncorrected()
 {
-  bigint mine = sweeps->uncorrected(), all = 0;
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  const bigint all = sum_over_ranks(bigint(sweeps->uncorrected()), world);
   if (all > 0 && comm->me == 0)
-    utils::logmesg(lmp,
-                   "sph/solid: no gradient correction for {} particles, whose partners in the "
-                   "reference lie in one row or layer\n",
-                   all);
+    utils::logmesg(lmp, "sph/solid: no gradient correction for {} particles, whose {}\n", all,
+                   partners ? "partners in the reference lie in one row or layer"
+                            : "neighbors are few, or lie in one row or layer");
+  uncorrected_logged = true;
 }
 
 // bodies of one particle are fragments, and no news
@@ -162,9 +160,7 @@ void PairSPHSolid::require_distinct_places() const
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const double *a = atom->x[i], *b = atom->x[j];
-      double r2 = 0.0;
-      for (int k = 0; k < 3; k++) r2 += (a[k] - b[k]) * (a[k] - b[k]);
+      const double *a = atom->x[i], r2 = square_of_distance(a, atom->x[j]);
       if (at_same_place(r2, cutsq[atom->type[i]][atom->type[j]]))
         error->one(FLERR, Error::NOLASTLINE,
                    "sph/solid: particles {} and {} lie at the same place {:.8g} {:.8g} {:.8g}",

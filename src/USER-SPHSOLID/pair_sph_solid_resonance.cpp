@@ -32,7 +32,8 @@
 using namespace LAMMPS_NS;
 using namespace SPHSolid;
 
-// Kick and drift are stable up to dt = 2/omega, omega the highest frequency of a body.  Inside a
+// Kick and drift, central differences, are stable up to dt = 2/omega, omega the highest frequency of a body (Belytschko, Liu &
+// Moran, Nonlinear Finite Elements for Continua and Structures, 2000, chapter 6).  Inside a
 // lattice it is that of a wave of two or three spacings, which bears 1.8 to 2 h/c_L; corners, edges
 // and thin parts, where the gradient correction is large, and a light material on a heavy one bear
 // less: 0.4 to 1.6

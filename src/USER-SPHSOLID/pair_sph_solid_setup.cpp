@@ -48,7 +48,7 @@ void PairSPHSolid::allocate()
   memory->create(cutsq, n + 1, n + 1, "pair:cutsq");
   for (int i = 1; i <= n; i++)
     for (int j = i; j <= n; j++) setflag[i][j] = 0;
-  types = new TypeData[n + 1];
+  types.resize(n + 1);
 }
 
 /* ----------------------------------------------------------------------
@@ -91,19 +91,19 @@ void PairSPHSolid::coeff(int narg, char **arg)
   parse_material(lmp, material, words, update->unit_style, where);
   check_material(lmp, material, where);
 
+  const int first = std::max(ilo, jlo), last = std::min(ihi, jhi);
+  if (first > last)
+    error->all(FLERR,
+               "{}: a material belongs to one type: expected I = J or ranges with common "
+               "types (pairs of types use the mean of both)",
+               where);
   // pairs of these types, too: a hybrid has to know that they act on each other
-  const int first = std::max(ilo, jlo), last = std::min(ihi, jhi), count = last - first + 1;
   for (int i = first; i <= last; i++) {
     types[i].material = material;
     for (int j = i; j <= last; j++) setflag[i][j] = 1;
   }
   logged = apart_logged = false;
   resonance_of = 0;
-  if (count <= 0)
-    error->all(FLERR,
-               "{}: a material belongs to one type: expected I = J or ranges with common "
-               "types (pairs of types use the mean of both)",
-               where);
 }
 
 /* ----------------------------------------------------------------------
@@ -123,6 +123,7 @@ void PairSPHSolid::init_style()
   fill_unset_state();
   require_plausible_state();
   measure_spacing();
+  if (options->tensile) require_crowding();
 
   if (!comm->ghost_velocity) {
     comm->ghost_velocity = 1;
@@ -133,14 +134,11 @@ void PairSPHSolid::init_style()
       if (setflag[i][i] && types[i].spacing > 0.0)
         log_material(lmp, i, types[i].material, types[i].h, types[i].spacing);
   logged = true;
-  warned_lost = warned_overload = resonance_wanted = false;
+  warned_lost = warned_overload = warned_compression = resonance_wanted = false;
   resume = false;    // fix sph/solid will say so, whose init() comes later
 
   if (sweeps) *kept = sweeps->ledger;
-  delete sweeps;
-  sweeps = Sweeps::create(domain->dimension, *options,
-                          std::vector<TypeData>(types, types + atom->ntypes + 1))
-               .release();
+  sweeps = Sweeps::create(domain->dimension, *options, types);
   sweeps->ledger = *kept;
   evaluated_own = evaluated_all = -1;
   sweeps->nthreads = comm->nthreads;
@@ -171,8 +169,8 @@ void PairSPHSolid::init_list(int id, NeighList *made)
 void PairSPHSolid::fill_unset_state()
 {
   for (int i = 0; i < atom->nlocal; i++) {
+    if (!has_material(i)) continue;
     const int t = atom->type[i];
-    if (!setflag[t][t]) continue;
     if (!(atom->vfrac[i] > 0.0))
       error->one(FLERR,
                  "sph/solid: particle {} of type {} has no volume: expected a command like "
@@ -271,7 +269,7 @@ static constexpr int LAYOUT[3] = {2, sizeof(Options), sizeof(Material)};
 void PairSPHSolid::write_restart_settings(FILE *fp)
 {
   fwrite(LAYOUT, sizeof(int), 3, fp);
-  fwrite(options, sizeof(Options), 1, fp);
+  fwrite(options.get(), sizeof(Options), 1, fp);
 }
 
 void PairSPHSolid::read_restart_settings(FILE *fp)
@@ -285,8 +283,8 @@ void PairSPHSolid::read_restart_settings(FILE *fp)
                "{} bytes, expected {} with {} and {}: the file was written by another version of "
                "the package. Go on with that one, or from a data file",
                layout[0], layout[1], layout[2], LAYOUT[0], LAYOUT[1], LAYOUT[2]);
-  if (comm->me == 0) utils::sfread(FLERR, options, sizeof(Options), 1, fp, nullptr, error);
-  MPI_Bcast(options, sizeof(Options), MPI_BYTE, 0, world);
+  if (comm->me == 0) utils::sfread(FLERR, options.get(), sizeof(Options), 1, fp, nullptr, error);
+  MPI_Bcast(options.get(), sizeof(Options), MPI_BYTE, 0, world);
   comm_forward = LARGEST_MESSAGE;
   if (options->frame == Frame::LAGRANGIAN) want_map();
 }

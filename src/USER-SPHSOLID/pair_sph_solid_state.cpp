@@ -25,6 +25,7 @@
 #include "sph_solid_eos.h"
 #include "sph_solid_fingerprint.h"
 #include "sph_solid_invariants.h"
+#include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 
 #include <algorithm>
@@ -132,20 +133,25 @@ void PairSPHSolid::require_current(const char *what) const
                "write_restart and write_data forget: expected a 'run 0' before",
                what);
   // a command may have changed those of some ranks only
-  int mine = evaluated_own != atom->nlocal || evaluated_all != atom->nlocal + atom->nghost ? 1 : 0;
-  int any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any)
+  const bool changed = evaluated_own != atom->nlocal ||
+      evaluated_all != atom->nlocal + atom->nghost;
+  if (on_any_rank(changed, world))
     error->all(FLERR, Error::NOLASTLINE,
                "{} needs the forces of the last step, and a command since then has changed the "
                "particles or their order: expected a 'run 0' before",
                what);
 }
 
-double PairSPHSolid::pressure(int i) const
+static PressureState<> equation_of_state(const std::vector<TypeData> &types, const Atom *atom,
+                                         int i)
 {
   const double rho_ref = reference_density(atom->rmass[i], atom->vfrac[i]);
-  return SPHSolid::pressure(types[atom->type[i]].material, atom->rho[i], rho_ref, atom->esph[i]).P;
+  return pressure(types[atom->type[i]].material, atom->rho[i], rho_ref, atom->esph[i]);
+}
+
+double PairSPHSolid::pressure(int i) const
+{
+  return equation_of_state(types, atom, i).P;
 }
 
 void PairSPHSolid::cauchy_stress(int i, double *six) const
@@ -173,10 +179,17 @@ double PairSPHSolid::elastic_energy(int i) const
 
 double PairSPHSolid::sound_speed(int i) const
 {
-  const double rho_ref = reference_density(atom->rmass[i], atom->vfrac[i]);
-  const double c2 =
-      SPHSolid::pressure(types[atom->type[i]].material, atom->rho[i], rho_ref, atom->esph[i]).c2;
-  return std::sqrt(std::max(c2, 0.0));
+  return std::sqrt(std::max(equation_of_state(types, atom, i).c2, 0.0));
+}
+
+// further compression would meet no resistance: with a constant Gamma, and a cubic for the shock line, the
+// equation of state ends at 1.7 to 1.9 times the density at rest (doc/limits.rst)
+
+bool PairSPHSolid::gives_way(int i) const
+{
+  constexpr double OFTEN = 1.1;    // up to here it is not looked at, which takes a division
+  return atom->rho[i] * atom->vfrac[i] > OFTEN * atom->rmass[i] &&
+      !(equation_of_state(types, atom, i).c2 > 0.0);
 }
 
 bool PairSPHSolid::moves(int i) const

@@ -77,7 +77,7 @@ inline PressureState<Real> pressure(const Compression<Real> &k, const Densities<
 
   PressureState<Real> out;
   out.P = thermal * P_H + k.Gamma * of.rho * e;    // eq. 8
-  // c^2 = dP/drho|_e + (P/rho^2) dP/de|_rho
+  // c^2 = dP/drho|_e + (P/rho^2) dP/de|_rho, of eqs 8 and 9, since de = P/rho^2 drho at constant entropy
   out.c2 =
       (thermal * dP_H - 0.5 * k.Gamma * P_H) * of.inv_rho_ref + k.Gamma * (e + out.P * of.inv_rho);
   return out;

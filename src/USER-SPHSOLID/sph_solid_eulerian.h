@@ -13,7 +13,8 @@
 
 /* ----------------------------------------------------------------------
    The sweeps of the Eulerian frame: neighbors and kernel gradients belong to
-   the present positions; see sph_solid_sweeps.h.
+   the present positions; see sph_solid_sweeps.h.  Gradients are corrected, and forces their adjoint, as
+   Bonet & Lok, Comput. Methods Appl. Mech. Engrg. 180 (1999) 97, have them.
 
    The class; its members are in
      sph_solid_eulerian_candidates.h    what stays until neighbors are new: who may become a pair
@@ -35,26 +36,14 @@
 
 namespace {
 
-// call with flags as constants
+// call with a flag as a constant
 
-template <class Call> void with_flags(Call call)
+template <class Call> void with_flag(bool flag, Call call)
 {
-  call();
-}
-template <class Call, class... Flags> void with_flags(Call call, bool first, Flags... others)
-{
-  if (first)
-    with_flags(
-        [&](auto... flags) {
-          call(std::true_type(), flags...);
-        },
-        others...);
+  if (flag)
+    call(std::true_type());
   else
-    with_flags(
-        [&](auto... flags) {
-          call(std::false_type(), flags...);
-        },
-        others...);
+    call(std::false_type());
 }
 
 template <int D> class EulerianSweeps : public ColumnSweeps<D> {
@@ -79,18 +68,18 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   void heat(const Particles &, const NeighborRows &, double *, bool) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
   int neighbor_count(int i) const override;
+  int uncorrected() const override { return nuncorrected; }
   double memory_usage() const override;
 
  private:
-  using Base = PointSweeps<D>;
-  using Side = ColumnSweeps<D>;
-  using Base::image_first, Base::image_j, Base::images, Base::needs_correction, Base::nparticles,
-      Base::nthreads, Base::keeps_pairs, Base::lonely, Base::opt, Base::safe, Base::source_of,
-      Base::types, Base::unit_factor;
-  using Side::blocks, Side::column_of, Side::columns, Side::component, Side::each_block,
-      Side::end_of_columns, Side::end_of_own, Side::motion, Side::NEXT, Side::own, Side::own_list,
-      Side::particles_of, Side::SYMMETRIC, Side::tensor, Side::V, Side::X;
-  using typename Side::Batch, typename Side::Totals, typename Side::Tensors, typename Side::Places,
+  using Base = ColumnSweeps<D>;
+  using Base::blocks, Base::column_of, Base::columns, Base::component, Base::each_block,
+      Base::end_of_columns, Base::end_of_own, Base::image_first, Base::image_j, Base::images,
+      Base::keeps_pairs, Base::lonely, Base::motion, Base::needs_correction, Base::NEXT,
+      Base::nparticles, Base::nthreads, Base::opt, Base::own, Base::own_list, Base::particles_of,
+      Base::safe, Base::source_of, Base::SYMMETRIC, Base::tensor, Base::types, Base::unit_factor,
+      Base::V, Base::X;
+  using typename Base::Batch, typename Base::Totals, typename Base::Tensors, typename Base::Places,
       typename Base::Points;
 
   // components of a column behind positions and velocities: V/h0^(D+2), this step's; mass; what
@@ -135,7 +124,8 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     Room<double> pull;            // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
     Room<double> crowd;           // with artificial stress: (W/W(spacing))^n
   } pairs;
-  Rows mu_max;    // of own: largest approach rate, for a time step limit
+  Rows mu_max;             // of own: largest approach rate, for a time step limit
+  int nuncorrected = 0;    // particles with neighbors and B = 1
 
   static bool are_alike(const std::vector<TypeData> &types)
   {
@@ -172,7 +162,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   }
 
   // a sweep's view of them
-  using View = typename Side::template SlotColumns<FIXED + D * D + SYMMETRIC + D + 2>;
+  using View = typename Base::template SlotColumns<FIXED + D * D + SYMMETRIC + D + 2>;
   class Neighbors : public View {
    public:
     Neighbors(const EulerianSweeps &s, int block, int from, int to, int from2 = 0, int to2 = 0) :

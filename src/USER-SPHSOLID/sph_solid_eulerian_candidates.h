@@ -21,7 +21,6 @@
 
 #include "sph_solid_eulerian.h"
 
-#include <bitset>
 #include <limits>
 
 namespace {
@@ -34,9 +33,6 @@ constexpr int PRICE = 4;
 // by so much.  A few particles take more in any order: theirs is that of IDs
 constexpr double WORTH_ANOTHER_ORDER = 2.5, MUCH_BETTER = 0.9;
 constexpr std::size_t MANY = 1000;
-
-// this part of all slots gathered is worth having rows of what columns have
-constexpr double WORTH_ROWS = 0.2;
 
 template <int D>
 void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
@@ -201,8 +197,8 @@ template <int D> struct EulerianSweeps<D>::Arranging {
   unsigned char &with(int columns_apart) { return together[columns_apart + of.end_of_columns]; }
   bool is_rare(int columns_apart)
   {
-    const std::size_t lanes = std::bitset<LANES>(with(columns_apart)).count();
-    return PRICE * lanes <= LANES || !is_within_reach(columns_apart);
+    return PRICE * count_lanes(with(columns_apart), LANES) <= LANES ||
+        !is_within_reach(columns_apart);
   }
 
   // call(row) for the candidates of a particle

@@ -32,23 +32,23 @@ void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *h
 {
   this->mirror_vectors(V);
   Totals totals;
-  with_flags(
-      [&](auto pull, auto tensile) {
-        totals = each_block([&](int block, const Batch &batch, Totals &t) {
-          const Pack mass = batch.load(p.mass);
-          Pack stress = 0.0, viscous = 0.0;
-          add_power<decltype(pull)::value, decltype(tensile)::value>(block, stress, viscous);
-          viscous *= 0.5 * unit_factor * mass;
-          // what the standard viscosity would heat: here is all of it for eq. 30, else the pairs
-          // that no correction touches
-          const Pack standard = Side::standard_power(columns.at(block * LANES), mass);
-          t.standard += Base::sum_of_first(viscous + standard, batch.n);
-          if (needs_correction()) viscous -= 0.25 * mass * corrected_power(block);
-          t.viscous += Base::sum_of_first(viscous, batch.n);
-          batch.store(heat, stress + viscous);
-        });
-      },
-      keeps_pairs(), opt.tensile);
+  with_flag(keeps_pairs(), [&](auto pull) {
+    with_flag(opt.tensile, [&](auto tensile) {
+      totals = each_block([&](int block, const Batch &batch, Totals &t) {
+        const Pack mass = batch.load(p.mass);
+        Pack stress = 0.0, viscous = 0.0;
+        add_power<decltype(pull)::value, decltype(tensile)::value>(block, stress, viscous);
+        viscous *= 0.5 * unit_factor * mass;
+        // what the standard viscosity would heat: here is all of it for eq. 30, else the pairs
+        // that no correction touches
+        const Pack standard = Base::standard_power(columns.at(block * LANES), mass);
+        t.standard += Base::sum_of_first(viscous + standard, batch.n);
+        if (needs_correction()) viscous -= 0.25 * mass * corrected_power(block);
+        t.viscous += Base::sum_of_first(viscous, batch.n);
+        batch.store(heat, stress + viscous);
+      });
+    });
+  });
   if (book) Base::enter(totals, 1.0);
 }
 
@@ -68,7 +68,7 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
   const double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   Neighbors neighbors(*this, block, X, V + D, K, PULL ? FIXED : K + 1);
   neighbors.ask_ahead(further, count);
-  const Components<D> own = Side::own_motion(i);
+  const Components<D> own = Base::own_motion(i);
   TensorSums<D> moved, crowded;
   Pack pulled = 0.0;
   for (int s = 0; s < count; s++) {
@@ -85,7 +85,7 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
     }
     if (PULL)
       pulled =
-          multiply_add(Side::heated_pull(i, j, LAST, load(pulls + s * LANES)), d.v_dot_x(), pulled);
+          multiply_add(Base::heated_pull(i, j, LAST, load(pulls + s * LANES)), d.v_dot_x(), pulled);
   }
   Pack sum = moved.tensor().cwiseProduct(tensor(i, T)).sum();
   if (TENSILE) sum += crowded.tensor().cwiseProduct(tensor(i, at_tension)).sum();
@@ -103,7 +103,7 @@ template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
   const int *further = pairs.further.data();
   neighbors.ask_ahead(further, near);
   const NearFactors factor(*this, near, i);
-  const typename Side::CorrectionHeat heat(*this, i, along());
+  const typename Base::CorrectionHeat heat(*this, i, along());
   Pack power = 0.0;
   for (int n = 0; n < near.count; n++) {
     const double *j = neighbors(further[near.slot[n]]);
@@ -133,7 +133,7 @@ typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Partic
     const Components<D> d = motion(i, j);
     const Pack KF = own_K * component(j, K) * load(&pairs.factor[k]);
     Pack f[D], central = 0.0;
-    if (keeps_pairs()) central = mass * Side::whole_pull(i, j, LAST, load(&pairs.pull[k]));
+    if (keeps_pairs()) central = mass * Base::whole_pull(i, j, LAST, load(&pairs.pull[k]));
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++) {

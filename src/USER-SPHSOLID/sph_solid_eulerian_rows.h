@@ -42,7 +42,7 @@ template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, con
 template <int D>
 void EulerianSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
 {
-  Side::unpack(what, p, i, in);
+  Base::unpack(what, p, i, in);
   if (what == Message::STRESS && column_of[i] >= 0) p.rho[i] = in[RHO - T];
 }
 

@@ -27,7 +27,7 @@ template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const N
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     const double *i = columns.at(block * LANES);
-    typename Side::Jumps jumps(i, Base::smoothing_lengths(p, batch));
+    typename Base::Jumps jumps(i, Base::smoothing_lengths(p, batch));
     Neighbors neighbors(*this, block, X, at_da);
     for (int s = pairs.first[block]; s < pairs.first[block] + pairs.count[block]; s++) {
       const double *j = neighbors(pairs.further[s]);
@@ -82,7 +82,7 @@ template <int D> void EulerianSweeps<D>::safe_pulls(int block)
   for (int n = 0; n < near.count; n++) {
     const double *j = neighbors(pairs.further[near.slot[n]]);
     store(&pairs.near_pull[near.pair + n * LANES],
-          factor.weight(n, j) * Side::safe_pull_of(i, j, at_da));
+          factor.weight(n, j) * Base::safe_pull_of(i, j, at_da));
   }
 }
 

@@ -42,7 +42,7 @@ inline double von_mises(const double *deviator)
 }
 
 // stored elastic energy per present volume, small strains: distortion J2/(2 mu), and change of
-// volume P^2/(2K)
+// volume P^2/(2K), which is sigma:eps/2 of Hooke's law
 
 inline double elastic_energy_density(const Material &m, const double *deviator, double P)
 {

@@ -41,7 +41,8 @@
    B makes F exact for linear fields, and the same B in C makes f_ij the exact
    adjoint of F.  Linear momentum is exact since f_ij = -f_ji; angular momentum
    since sum_j V0_j (x_j - x_i) (x) C_i g_ij = J_i 1 and sigma is symmetric.
-   Corrected total-Lagrangian SPH: Bonet & Kulasegaram (2002); Ganzenmueller (2015).
+   Corrected total-Lagrangian SPH: Bonet & Kulasegaram (2002); Ganzenmueller (2015); doc/theory.rst has
+   the derivation and the references.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_LAGRANGIAN_H
@@ -126,7 +127,7 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   Totals early_totals;
   bool weights_known = false;
   int nuncorrected = 0;    // particles with partners and B = 1
-  std::mutex door;         // of shared vectors, and of that number
+  std::mutex mutex;        // of shared vectors, and of that number
 
   // what is constant between two neighbor lists
   void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,
@@ -141,7 +142,6 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   std::vector<double> place_references(const Particles &, const NeighborRows &) const;
   void unwrap_references(const Particles &, const NeighborRows &, std::vector<double> &) const;
   void size_storage(int gathered);
-  void place_densities(const Particles &);
   struct Arranging;
   template <class Call> void each_arranging(const Arranging &, Call);
 

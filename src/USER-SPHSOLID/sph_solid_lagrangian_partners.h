@@ -13,8 +13,7 @@
 
 /* ----------------------------------------------------------------------
    The Lagrangian frame between two neighbor lists: columns, reference positions,
-   pairs and what is constant of them, and where the frame ends.  Members of
-   LagrangianSweeps.
+   pairs and what is constant of them.  Members of LagrangianSweeps.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_LAGRANGIAN_PARTNERS_H
@@ -46,9 +45,7 @@ constexpr double WORTH_ANOTHER_ORDER = 1.25;
 // neighbors in position are neighbors in memory, too, for which some more slots are a fair price
 constexpr double MUCH_WORSE = 1.1;
 
-// this part of all slots gathered is worth having rows.  A gathered slot is so many times the work
-// of another, without rows and with them
-constexpr double WORTH_ROWS = 0.2;
+// a gathered slot is so many times the work of another, without rows of what columns have and with them
 constexpr int PRICE[2] = {4, 2};
 
 /* ----------------------------------------------------------------------
@@ -295,8 +292,8 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
               for (int m = 0; m < LANES; m++) {
                 const Partner *partner = which[m] >= 0 ? &partners[m][which[m]] : nullptr;
                 if (!side_by_side)
-                  slots.gathered[gathered * LANES + m] = partner ? partner->column
-                                                                 : block * LANES + m;
+                  slots.gathered[gathered * std::size_t(LANES) + m] = partner ? partner->column
+                                                                              : block * LANES + m;
                 if (partner) fill_pair(block, m, s - first, *partner);
               }
               if (!side_by_side) gathered++;
@@ -309,7 +306,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
 
   void enter(int block, int left_uncorrected)
   {
-    const std::lock_guard<std::mutex> alone(of.door);
+    const std::lock_guard<std::mutex> alone(of.mutex);
     of.nuncorrected += left_uncorrected;
     of.slots.constants.enter(of.slots.first[block], constants);
     of.near_weight.enter(of.slots.near_first[block], near);
@@ -384,28 +381,19 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   for (std::size_t row = 0; row < column_of.size(); row++) {
     if (column_of[row] < 0) continue;
     columns.set(column_of[row], REFERENCE, &reference[row * D], D);
-    columns.set(column_of[row], WEIGHT, p.vref[source_of(row)] * unit_factor);
+    const int i = source_of(static_cast<int>(row));
+    columns.set(column_of[row], WEIGHT, p.vref[i] * unit_factor);
+    if (this->unlike) columns.set(column_of[row], at_rho, p.mass[i] / p.vref[i]);
   }
-  if (this->unlike) place_densities(p);
+  if (this->unlike)    // behind the last particle the last one again
+    for (int column = static_cast<int>(own.size()); column < end_of_own; column++)
+      columns.set(column, at_rho, columns.get(column - 1, at_rho));
   nuncorrected = 0;
   each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
     arranging.fill(block, gathered[block]);
   });
   slots.constants.end();
   near_weight.end();
-}
-
-// in the reference; behind the last particle the last one again
-
-template <int D> void LagrangianSweeps<D>::place_densities(const Particles &p)
-{
-  for (std::size_t row = 0; row < column_of.size(); row++) {
-    if (column_of[row] < 0) continue;
-    const int i = source_of(static_cast<int>(row));
-    columns.set(column_of[row], at_rho, p.mass[i] / p.vref[i]);
-  }
-  for (int column = static_cast<int>(own.size()); column < end_of_own; column++)
-    columns.set(column, at_rho, columns.get(column - 1, at_rho));
 }
 
 // an order of columns that leaves few places in slots empty, and whether rows are worth having,
@@ -422,18 +410,18 @@ std::vector<int> LagrangianSweeps<D>::choose_order(const Particles &p, const Nei
   int chosen = BY_ID, tried = BY_ID;
   with_rows = false;
   std::vector<int> gathered = count_slots(p, list, reference, tried);
-  auto dear = [&]() {
+  auto mostly_gathered = [&]() {
     return gathered.back() > WORTH_ROWS * slots.first.back();
   };
   double least = room();
-  bool wants_rows = dear();
+  bool wants_rows = mostly_gathered();
   auto try_rows = [&](int side, double worth) {
     if (least <= WORTH_ANOTHER_ORDER || side == tried) return;
     gathered = count_slots(p, list, reference, tried = side);
     if (room() > worth * least) return;
     chosen = tried;
     least = room();
-    wants_rows = dear();
+    wants_rows = mostly_gathered();
   };
   try_rows(0, MUCH_WORSE);
   try_rows(longest_side(list, reference), 1.0 / MUCH_WORSE);

@@ -117,7 +117,7 @@ template <int D> void LagrangianSweeps<D>::find_weights()
       const Pack w = correction_weight(opt.weights, m_wbar, component(i, LAST), component(j, LAST));
       store(&of_block[k * LANES], where_positive(m_wbar, w, Pack(0.0)));
     }
-    const std::lock_guard<std::mutex> alone(door);
+    const std::lock_guard<std::mutex> alone(mutex);
     weights.enter(slots.near_first[block], of_block);
   });
   weights.end();

@@ -61,10 +61,8 @@ struct Material {
     return (3.0 * k - 2.0 * shear) / (2.0 * (3.0 * k + shear));
   }
   double bulk_sound_speed() const { return std::sqrt(bulk_modulus() / rho0); }
-  double longitudinal_speed() const
-  {
-    return std::sqrt((bulk_modulus() + 4.0 * shear / 3.0) / rho0);
-  }
+  double longitudinal_modulus() const { return bulk_modulus() + 4.0 * shear / 3.0; }
+  double longitudinal_speed() const { return std::sqrt(longitudinal_modulus() / rho0); }
 };
 
 }    // namespace SPHSolid

@@ -316,8 +316,8 @@ void SPHSolid::check_material(LAMMPS *lmp, const Material &m, const std::string 
   require_positive(lmp, m.shear, "shear modulus shear", where);
   if (m.eos == EOS::MIE_GRUNEISEN) {
     require_positive(lmp, m.C, "sound speed C", where);
-    if (!(m.S >= 1.0))
-      lmp->error->all(FLERR, "{}: slope S of the shock line is {}: expected a value >= 1", where,
+    if (!(m.S >= 0.0))    // titanium: 0.767 (Marsh, LASL Shock Hugoniot Data, 1980)
+      lmp->error->all(FLERR, "{}: slope S of the shock line is {}: expected a value >= 0", where,
                       m.S);
     if (!(m.Gamma >= 0.0))
       lmp->error->all(FLERR, "{}: Gamma is {}: expected a value >= 0", where, m.Gamma);

@@ -230,17 +230,19 @@ template <int D> class PointSweeps : public Sweeps {
   // sums of one evaluation as the ledger has them
   struct Totals {
     double plastic = 0.0, viscous = 0.0, standard = 0.0, hourglass = 0.0;
+    int uncorrected = 0;    // eulerian: particles with neighbors and B = 1
     static void add(Totals &sum, const Totals &t)
     {
       sum.plastic += t.plastic;
       sum.viscous += t.viscous;
       sum.standard += t.standard;
       sum.hourglass += t.hourglass;
+      sum.uncorrected += t.uncorrected;
     }
   };
   void enter(const Totals &, double factor);
 
-  // six numbers from of_share(first, end) for the shares of n particles or blocks, minus the virial
+  // six numbers from of_share(first, end) for the shares of n particles or blocks, which add to the virial
   // of a pair style; the least of others
   using Six = std::array<double, 6>;
   template <class Call> void add_virial(int n, double *six, Call of_share) const
@@ -406,7 +408,8 @@ template <int D> Pack PointSweeps<D>::own_switch(const Tensor<D, Pack> &L, Pack 
 }
 
 /* ----------------------------------------------------------------------
-   h/(c_L + 0.6 (a1 c + a2 |mu|)), the viscous part as far as it is retained
+   h/(c_L + 0.6 (a1 c + a2 |mu|)), the viscous part as far as it is retained: the form is that of
+   Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543; what is retained, doc/fix_sph_solid_dt.rst
 ------------------------------------------------------------------------- */
 
 template <int D>

@@ -12,7 +12,7 @@
 ------------------------------------------------------------------------- */
 
 /* ----------------------------------------------------------------------
-   Fingerprints summed over ranks, ranges of numbers on all of them.
+   What all ranks know together: sums, ranges, whether there is one.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_RANKS_H
@@ -28,14 +28,26 @@
 
 namespace SPHSolid {
 
+inline LAMMPS_NS::bigint sum_over_ranks(LAMMPS_NS::bigint mine, MPI_Comm world)
+{
+  LAMMPS_NS::bigint all = 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}
+
+inline bool on_any_rank(bool here, MPI_Comm world)
+{
+  return sum_over_ranks(LAMMPS_NS::bigint(here ? 1 : 0), world) > 0;
+}
+
 // as bigint: the MPI stubs of a serial LAMMPS know no unsigned type
 
 inline std::uint64_t sum_over_ranks(std::uint64_t value, MPI_Comm world)
 {
-  LAMMPS_NS::bigint mine, all;
+  LAMMPS_NS::bigint mine;
   std::memcpy(&mine, &value, sizeof(mine));
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  std::memcpy(&value, &all, sizeof(all));
+  mine = sum_over_ranks(mine, world);
+  std::memcpy(&value, &mine, sizeof(mine));
   return value;
 }
 

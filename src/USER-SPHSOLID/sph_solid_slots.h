@@ -44,6 +44,9 @@ inline bool is_within_reach(int columns_apart)
   return columns_apart > -FURTHEST && columns_apart < FURTHEST;
 }
 
+// this part of all slots gathered is worth having rows of what columns have
+constexpr double WORTH_ROWS = 0.2;
+
 struct Partner {
   int row;    // local index, or that of an image
   int column;

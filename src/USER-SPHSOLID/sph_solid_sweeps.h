@@ -61,6 +61,13 @@ struct Options {
   bool energy = true;                           // the energy equation
 };
 
+inline double square_of_distance(const double *a, const double *b)
+{
+  double r2 = 0.0;
+  for (int k = 0; k < 3; k++) r2 += (a[k] - b[k]) * (a[k] - b[k]);
+  return r2;
+}
+
 // have two particles, apart by r, been created twice?  But for rounding; squares, kernel: its range
 inline bool at_same_place(double r2, double kernel2)
 {
@@ -148,9 +155,9 @@ struct Kick {
 
 enum class Message { STRESS, SWITCH, VISCOUS, DISPLACEMENT };
 
-// of any frame and options, in doubles per particle: Eulerian in three dimensions, with two more
-// tensors for artificial stress and velocity gradients
-constexpr int LARGEST_MESSAGE = 40;
+// of any frame and options, in doubles per particle: Eulerian in three dimensions, with artificial stress
+// and rates of deformation
+constexpr int LARGEST_MESSAGE = 28;
 
 class Sweeps {
  public:
@@ -211,7 +218,7 @@ class Sweeps {
   virtual void elastic_stress(const Particles &) {}
   virtual void elastic_force(const Particles &) {}
 
-  // minus the pair forces' virial, sum of r_ij f_ij over pairs, 6 numbers
+  // the pair forces' virial as LAMMPS has it, sum of r_ij f_ij over pairs, 6 numbers
   virtual void virial(const Particles &, const NeighborRows &, double *six) = 0;
 
   // of an own particle, what pack_kinematics() was given for it (until unpack() sets displacements)
@@ -227,8 +234,8 @@ class Sweeps {
   virtual int neighbor_count(int i) const = 0;
   virtual double memory_usage() const = 0;
 
-  // lagrangian: own particles whose partners, in one row or layer, do not allow a gradient correction
-  virtual int uncorrected() const { return 0; }
+  // own particles whose neighbors or partners do not allow the gradient correction that is asked for
+  virtual int uncorrected() const = 0;
 
   // the particle that the frame can follow no further, if there is one
   virtual Overload find_overload() const { return {}; }
@@ -268,10 +275,9 @@ struct Likeness {
   Range density, impedance;    // in the reference
   void add(const TypeData &type, double mass, double reference_volume)
   {
-    const Material &m = type.material;
-    const double rho = mass / reference_volume, modulus = m.bulk_modulus() + 4.0 / 3.0 * m.shear;
+    const double rho = mass / reference_volume;
     density.add(rho);
-    impedance.add(std::sqrt(rho * modulus) * type.h);
+    impedance.add(std::sqrt(rho * type.material.longitudinal_modulus()) * type.h);
   }
   bool unlike(const Options &o) const
   {

@@ -27,13 +27,15 @@
 
 namespace {
 
-// who sees too little of its surroundings to correct anything has B = 1, beyond_share().  Corners, edges
-// and bars of two particles have 0.41 or more, up to h = 2 spacings, and turn without being strained; with
-// 0.1 fragments of a torn foot are corrected, too, until a step changes their density by more than it is
+// who sees too little of its surroundings to correct anything has B = 1, beyond_share().  Corners and edges
+// have 0.40 or more, up to h = 2 spacings, and turn without being strained, but of two or three layers of half
+// cells (doc/theory.rst); with 0.1 fragments of a torn foot are corrected, too, until a step changes their density
+// by more than it is
 constexpr double LEAST_ROUNDNESS = 0.4;
 
 // and so has who is about to lose its neighbors, which the correction would hold on to until the end of
-// the kernel: the mean of M's diagonal is 1 inside a body and 2^-D in a corner of half cells
+// the kernel: the mean of M's diagonal is 1 inside a body and 2^-D in a corner of half cells.  It goes with the
+// volumes of neighbors: a bar of 2 x 2 half cells has no correction at all
 template <int D> constexpr double LEAST_MOMENT = 0.8 / (1 << D);
 
 /* ----------------------------------------------------------------------
@@ -157,7 +159,7 @@ typename EulerianSweeps<D>::Sums EulerianSweeps<D>::accumulate(int block, Findin
   int *nearest = pairs.near.data() + (correct ? found.near : 0);
   float *kernels = pairs.near_kernel.data() + (correct ? found.near * std::size_t(LANES) : 0);
   const int *const first_nearest = nearest;
-  const Components<D> own = Side::own_motion(i);
+  const Components<D> own = Base::own_motion(i);
   const Pack own_near = near_of<UNIFORM>(i);
   const double per_h = 1.0 / common_h;
   const SinglePack same_support(per_h * common_near);
@@ -218,6 +220,7 @@ int EulerianSweeps<D>::gradient(const Particles &p, const NeighborRows &, double
   };
   const Totals totals = join_shares(nthreads, blocks(), Totals(), of_share, Totals::add);
   this->ledger.plastic_work += totals.plastic;
+  nuncorrected = totals.uncorrected;
   return bad;
 }
 
@@ -244,6 +247,9 @@ int EulerianSweeps<D>::update(const Particles &p, int block, const Batch &batch,
     const Tensors inverse = moment.inverse();
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) exact(a, b) = where_positive(enough, inverse(a, b), exact(a, b));
+    if (opt.corrected)
+      totals.uncorrected += count_lanes(
+          larger_lanes(moment.trace(), Pack(0.0)) & ~larger_lanes(enough, Pack(0.0)), batch.n);
   }
   if (opt.corrected) B = exact;
   // what tells a linear field from a jump needs the exact one, with gradient plain too
@@ -300,15 +306,15 @@ template <int D> void EulerianSweeps<D>::force(const Particles &p, const Neighbo
 
 template <int D> template <PairForm FORM> void EulerianSweeps<D>::force_blocks(const Particles &p)
 {
-  with_flags(
-      [&](auto tensile, auto same) {
-        each_block([&](int block, const Batch &batch, Totals &) {
-          constexpr bool TENSILE = decltype(tensile)::value, UNIFORM = decltype(same)::value;
-          add_forces_of_pairs<FORM, TENSILE>(p, block, batch,
-                                             sum_pairs<FORM, TENSILE, UNIFORM>(block));
-        });
-      },
-      opt.tensile, uniform);
+  with_flag(opt.tensile, [&](auto tensile) {
+    with_flag(uniform, [&](auto same) {
+      each_block([&](int block, const Batch &batch, Totals &) {
+        constexpr bool TENSILE = decltype(tensile)::value, UNIFORM = decltype(same)::value;
+        add_forces_of_pairs<FORM, TENSILE>(p, block, batch,
+                                           sum_pairs<FORM, TENSILE, UNIFORM>(block));
+      });
+    });
+  });
 }
 
 // f_i = K_i sum_j K_j (T_i + T_j) g_ij - m_i sum_j m_j Pi_ij g_ij, g = F x_ij; T_i sum K_j g_ij comes last
@@ -331,7 +337,7 @@ typename EulerianSweeps<D>::PairForces EulerianSweeps<D>::sum_pairs(int block)
   // of viscosity what is a constant where h is
   const double minus_a1 = -opt.a1 * (UNIFORM ? common_h : 1.0),
                twice_a2 = 2.0 * opt.a2 * (UNIFORM ? common_h * common_h : 1.0);
-  const Components<D> own = Side::own_motion(i);
+  const Components<D> own = Base::own_motion(i);
   const Pack zero(0.0), one(1.0), same_softening(MU_EPSILON * common_h * common_h),
       rho = component(i, RHO), own_linear = minus_a1 * component(i, SOUND);
   Pack stress[D], g[D], crowded_g[D], pulled[D], whole[D], mu_least = zero;    // sums over pairs
@@ -381,7 +387,7 @@ typename EulerianSweeps<D>::PairForces EulerianSweeps<D>::sum_pairs(int block)
     if (besides) {
       if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
       if (alone) {
-        const Pack left = Side::whole_pull(i, j, LAST, q);
+        const Pack left = Base::whole_pull(i, j, LAST, q);
         d.add_to(whole, left);
         q -= left;
       }

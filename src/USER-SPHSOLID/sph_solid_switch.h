@@ -25,7 +25,7 @@
 namespace SPHSolid {
 
 // Balsara's |div v|/(|div v| + |curl v| + 1e-4 c/h): near 0 in shear, near 1 in
-// compression (Balsara 1995)
+// compression: Balsara, J. Comput. Phys. 121 (1995) 357
 
 template <int D, class Real> inline Real balsara_switch(const Tensor<D, Real> &L, Real c, Real h)
 {

@@ -22,6 +22,8 @@
 
 #include "sph_solid_native.h"
 
+#include <bitset>
+
 namespace SPHSolid {
 
 // a number in formulas that take as many particles or pairs at a time
@@ -179,6 +181,13 @@ inline unsigned larger_lanes(SinglePack a, SinglePack b)
 inline Pack where_lanes(unsigned lanes, Pack a, Pack b)
 {
   return Pack(native_where_lanes(lanes, a.native(), b.native()));
+}
+
+// how many of the first n are set
+
+inline int count_lanes(unsigned lanes, int n)
+{
+  return static_cast<int>(std::bitset<LANES>(lanes & ((1u << n) - 1u)).count());
 }
 
 // of two, one of which is not a number, the second one

@@ -266,6 +266,77 @@ TEST(Warns, NotOfABodyInFreeFlight)
   EXPECT_THAT(s.log(), Not(HasSubstr("WARNING")));
 }
 
+// iron at e = 0: (1 - 0.9 eta) P_H(eta) of eqs 8 and 9 and its thermal part have a positive slope up to 1.8389 times
+// the density at rest (found from these formulas by a program of its own)
+
+TEST(Warns, OfMatterCompressedBeyondItsEquationOfState)
+{
+  for (const char *frame : {"eulerian", "lagrangian"})
+    for (const auto &[times, ends] : {std::pair(1.82, false), std::pair(1.86, true)}) {
+      SCOPED_TRACE(std::string(frame) + " " + std::to_string(times));
+      Session s;
+      Block b = small();
+      b.frame = frame;
+      s(b.script());
+      s("group one id 15\nset group one sph/rho " + num(7850.0 * times) + "\nrun 0");
+      const std::string warning =
+          "sph/solid: particle 15 at 0.002 0.002 0 has 1.86 times its density at rest in step 0, "
+          "where its equation of state ends";
+      EXPECT_EQ(s.log().find(warning) != std::string::npos, ends);
+    }
+}
+
+// How many are not corrected follows from det M and tr M of lattice sums (h = 1.5 spacings), added up by a program of
+// its own: of two rows of whole cells none, of two of half cells the last two of each end and row
+
+TEST(Logs, ParticlesWithoutGradientCorrection)
+{
+  const std::string NO_CORRECTION = "sph/solid: no gradient correction for ";
+  Block b;
+  b.frame = "eulerian";
+  b.h = 1.5e-3;
+  b.ny = 12;
+  b.nx = 2;
+  {
+    Session s;
+    s(b.script() + "run 0");
+    EXPECT_THAT(s.log(), Not(HasSubstr(NO_CORRECTION)));
+  }
+  {
+    Session s;
+    const std::string halves =
+        "region ends block INF INF INF 0.5 INF INF side in\n"
+        "group lower region ends\nregion top block INF INF 10.5 INF INF INF\n"
+        "group upper region top\ngroup ends union lower upper\n"
+        "set group all volume 0.5e-6\nset group ends volume 0.25e-6\n";
+    s(b.particles() + halves + "create_atoms 1 single 20 20 0\ngroup far id 25\n" +
+      "set group far volume 1e-6\n" + b.interaction() + b.motion + b.fixes + "run 0\nrun 0");
+    const std::string log = s.log(),
+                      line = NO_CORRECTION +
+        "8 particles, whose neighbors are few, or lie in one row or layer";
+    EXPECT_THAT(log, HasSubstr(line));
+    EXPECT_EQ(log.find(NO_CORRECTION), log.rfind(NO_CORRECTION));    // once
+  }
+  b.nx = 1;
+  Session s;
+  s(b.script() + "run 0");
+  EXPECT_THAT(s.log(), HasSubstr(NO_CORRECTION + "12 particles"));
+}
+
+TEST(Refused, ArtificialStressWhereTheKernelEndsBeforeTheSpacing)
+{
+  Block b = small();
+  b.frame = "eulerian";
+  b.options = "tensile artificial 0.3 4";
+  b.h = 0.5e-3;
+  EXPECT_THAT(
+      refusal(b),
+      HasSubstr("Pair style sph/solid, tensile artificial: the smoothing length of type 1 is "
+                "0.5 spacings, and its kernel is 0 at the spacing: expected more than 0.5"));
+  b.h = 0.51e-3;
+  EXPECT_EQ(refusal(b), "");
+}
+
 TEST(Environment, HybridScaledIsRefused)
 {
   Session s;

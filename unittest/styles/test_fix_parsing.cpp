@@ -83,8 +83,8 @@ INSTANTIATE_TEST_SUITE_P(
              "Illegal compute sph/solid/atom command: missing argument"},
         Case{
             "name", "compute 1 all sph/solid/atom rho density",
-            "Compute sph/solid/atom: unknown name 'density': expected rho, p, e, c, epl, vonmises, "
-            "sxx, syy, szz, sxy, sxz, syz, h or neigh ("}),
+            "Compute sph/solid/atom: unknown name 'density': expected one of rho p e c epl "
+            "vonmises sxx syy szz sxy sxz syz h neigh ("}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(Energy, CommandRefuses,
