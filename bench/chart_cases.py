@@ -67,9 +67,10 @@ def with_gradient(variables):
 
 rod_cases, rod_measure = example("taylor")
 REFINES = (0.5, 1, 2)
-STOCK_ROD = [replace(methods.BY_KEY["ulsph"], key=f"ulsph-{q1}", title=f"smd/ulsph, Q1 = {q1}", variables={"viscosity": q1})
-             for q1 in (1.0, 0.3)]
-STOCK_ROD.append(replace(methods.BY_KEY["tlsph"], stock="ulsph", variables={"style": "tlsph", "viscosity": 0.06, "support": 2.0}))
+STOCK_ROD = [replace(methods.BY_KEY["ulsph"], key=f"ulsph-{q1}", title=f"smd/ulsph, Q1 = {q1}", package="ulsph",
+                     variables={"viscosity": q1}) for q1 in (1.0, 0.3)]    # both styles are in in.taylor.ulsph
+STOCK_ROD.append(replace(methods.BY_KEY["tlsph"], package="ulsph",
+                         variables={"style": "tlsph", "viscosity": 0.06, "support": 2.0}))
 HALF = replace(DEFAULT, key="L-correct-half", title="correct, half a rod", variables={**DEFAULT.variables, "part": "half"})
 MIRRORED = replace(DEFAULT, key="L-correct-symmetry", title="correct, symmetry wall", variables={**DEFAULT.variables, "wall": "symmetry"})
 

@@ -1,5 +1,5 @@
 """What the `run` scripts of the examples share: finding the program, running cases with progress and time left,
-reading CSV and dump files. Needs nothing but Python.
+judging them, reading CSV and dump files. Needs nothing but Python.
 
 A case is any object with name, script, variables (for -var) and weight (expected run time, relative). It may have a
 folder of its own to run in, and an output folder for its files.
@@ -7,6 +7,7 @@ Environment: LMP=<program> (default ../../build/lmp), JOBS=<n>: runs at the same
 two processors), PYTHON=<python3 with numpy and matplotlib> for the pictures."""
 
 import csv
+import math
 import os
 import pathlib
 import re
@@ -100,6 +101,38 @@ def draw(here):
     return subprocess.run(command, cwd=here).returncode == 0
 
 
+def forgive(cases, failed):
+    """Takes the runs that may fail out of {name: message}, and says so."""
+    for case in cases:
+        if case.may_fail and case.name in failed:
+            say(f"{case.name} ended early, as it may: {failed.pop(case.name)}")
+
+
+def exceeded(case, figures):
+    """What is beyond its limit or not a number, in words; figures: (text, value, limit)."""
+    return [f"{case.name}: {text} {value:.3g}, allowed {limit:.3g}" for text, value, limit in figures
+            if not abs(value) <= limit]
+
+
+def example(here, measure, cases, table, words=""):
+    """What most `run` scripts do: the runs, their table (a function of the cases) below the words that explain it, the
+    gates of measure, and the pictures."""
+    lmp = program(here)
+    empty(measure.OUTPUT)
+    failed = simulate_all(here, lmp, cases)
+    forgive(cases, failed)
+
+    text = table(cases)
+    (measure.OUTPUT / "table.md").write_text(text)
+    say(f"\n{words}{text}")
+
+    complaints = []
+    for case in cases:
+        if case.gated and case.name not in failed:
+            complaints += measure.missed(case, measure.figures(case))
+    verdict(failed, complaints, draw(here), sum(case.gated for case in cases))
+
+
 def verdict(failed, complaints, plotted, gated):
     """Says what went wrong, and ends with status 1 if anything did."""
     for name, why in failed.items():
@@ -158,6 +191,11 @@ def loops(log):
 def seconds(log):
     """CPU seconds of all runs in a log file."""
     return sum(loops(log))
+
+
+def number(value, form):
+    """A cell of a table."""
+    return "-" if math.isnan(value) else format(value, form)
 
 
 def markdown(head, rows, left=1):

@@ -10,7 +10,8 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
-from running import at, columns, markdown, seconds, snapshots
+from histories import largest
+from running import at, columns, exceeded, markdown, seconds, snapshots
 
 OUTPUT = HERE / "output"
 RADIUS = 3.2
@@ -60,23 +61,18 @@ def figures(case):
     """All figures of one run."""
     data, shots = columns(OUTPUT / f"{case.name}.csv"), snapshots(OUTPUT / f"{case.name}.dump")
     return {"length": data["length_mm"][-1], "foot": rim(shots[0][1], shots[-1][1]), "outermost": data["rim_mm"][-1],
-            "ke": [at(t, data["t_us"], data["ke"]) for t in (20, 40, 60, 80)], "energy": max(map(abs, data["energy_error"])),
+            "ke": [at(t, data["t_us"], data["ke"]) for t in (20, 40, 60, 80)],
+            "energy": largest(map(abs, data["energy_error"])),
             "viscous": data["viscous"][-1], "returned": data["returned"][-1], "wall": data["wall"][-1], "epl": data["epl_max"][-1],
             "end": data["t_us"][-1], "particles": len(shots[0][1]["id"]), "cpu": seconds(OUTPUT / f"{case.name}.log")}
 
 
 def missed(case, got):
     """The gates that a run misses, in words."""
-    fe, complaints = REFERENCE[case.wall], []
-
-    def gate(name, value, limit):
-        if not abs(value) <= limit:
-            complaints.append(f"{case.name}: {name} {value:.3g}, allowed {limit:.3g}")
-
-    gate("length against finite elements", got["length"] / fe["length"] - 1, GATES["length"])
-    gate("radius of the foot against finite elements", got["foot"] / fe["foot"] - 1, GATES["foot"])
-    gate("energy error", got["energy"], GATES["energy"])
-    return complaints
+    fe = REFERENCE[case.wall]
+    return exceeded(case, [("length against finite elements", got["length"] / fe["length"] - 1, GATES["length"]),
+                           ("radius of the foot against finite elements", got["foot"] / fe["foot"] - 1, GATES["foot"]),
+                           ("energy error", got["energy"], GATES["energy"])])
 
 
 HEAD = ("frame", "viscosity", "wall", "h", "in the radius", "particles", "length", "off", "foot radius", "off", "outermost",

@@ -4,30 +4,17 @@ python3 plot.py [folder]     folder: where the pictures go, default output"""
 
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import EllipseCollection
-from matplotlib.colors import ListedColormap, PowerNorm
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import PowerNorm
 
 sys.dont_write_bytecode = True
 import measure
 from cases import BY_NAME, CASES
-from drawing import save    # beside running.py; measure has put that folder on the path
+from drawing import STRAIN, discs, plt, save    # beside running.py; measure has put that folder on the path
 from measure import OUTPUT
 
 NORM = PowerNorm(0.6, 0.0, 3.0)    # colours of the plastic strain
-CMAP = ListedColormap(plt.get_cmap("turbo")(np.linspace(0.07, 0.97, 36)))
-
-
-def discs(axes, x, y, dot, values):
-    width = np.full(len(x), dot)
-    axes.add_collection(EllipseCollection(width, width, 0 * width, units="xy", offsets=np.column_stack((x, y)),
-                                          offset_transform=axes.transData, array=values, cmap=CMAP, norm=NORM, edgecolors="none",
-                                          zorder=3))
-    axes.set_aspect("equal")
 
 
 def bars(folder, picture, names):
@@ -45,7 +32,7 @@ def bars(folder, picture, names):
         x, z, epl = shot["x"][layer] * 1e3, shot["z"][layer] * 1e3, shot["epl"][layer]
         if case.quarter:
             x, z, epl = np.append(x, -x), np.append(z, z), np.append(epl, epl)
-        discs(column[0], x, z, dot, epl)
+        discs(column[0], x, z, dot, epl, NORM, STRAIN, zorder=3)
         fe = measure.REFERENCE[case.wall]
         for side in (-1, 1):
             column[0].plot([side * fe["foot"]] * 2, [-0.6, 0.9], color="black", lw=1.6, zorder=4)
@@ -58,10 +45,10 @@ def bars(folder, picture, names):
         x, y, epl = shot["x"][base] * 1e3, shot["y"][base] * 1e3, shot["epl"][base]
         if case.quarter:
             x, y, epl = np.concatenate((x, -x, -x, x)), np.concatenate((y, y, -y, -y)), np.tile(epl, 4)
-        discs(column[1], x, y, dot, epl)
+        discs(column[1], x, y, dot, epl, NORM, STRAIN, zorder=3)
         column[1].add_patch(plt.Circle((0, 0), fe["foot"], fill=False, color="black", lw=1.2, zorder=4))
         column[1].set(xlim=(-8.6, 8.6), ylim=(-8.6, 8.6), xlabel="x (mm)", ylabel="y (mm)")
-    figure.colorbar(matplotlib.cm.ScalarMappable(norm=NORM, cmap=CMAP), ax=grid, extend="max", shrink=0.7, label="plastic strain")
+    figure.colorbar(ScalarMappable(norm=NORM, cmap=STRAIN), ax=grid, extend="max", shrink=0.7, label="plastic strain")
     save(figure, folder, picture)
 
 

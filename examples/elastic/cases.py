@@ -66,6 +66,7 @@ CASES = [
     case("strip", key="0.5", **EULERIAN),
 
     case("ring", h=1.0, gated=True, weight=8.0),
+    case("ring", h=1.0, key="0.5", gated=True, weight=8.0),
     *(case("ring", h=1.3, jitter=jitter, gated=True, weight=8.0) for jitter in JITTERS),
     case("ring", weight=8.0, **EULERIAN),
     case("ring", key="0.5", weight=8.0, **EULERIAN),

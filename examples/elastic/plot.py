@@ -4,21 +4,15 @@ python3 plot.py [folder]     folder: where the pictures go, default output"""
 
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import EllipseCollection
+from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
 sys.dont_write_bytecode = True
 import measure
 from cases import BY_NAME
-from drawing import save    # beside running.py; measure has put that folder on the path
+from drawing import COLORS, particles, plt, save    # beside running.py; measure has put that folder on the path
 from measure import OUTPUT
-
-COLORS = ("#4477aa", "#ee6677", "#228833", "#aa8800", "#66ccee", "#aa3377")
 
 
 def pick(scene, names):
@@ -30,15 +24,6 @@ def pick(scene, names):
 def title(case):
     text = f"{case.frame}, h = {case.h}, {case.title}"
     return text + (f", jitter {100 * case.jitter:.0f} %" if case.jitter else "")
-
-
-def particles(figure, axes, shot, dot, values, norm, cmap="viridis"):
-    x, y = np.array(shot["x"]) * 1e3, np.array(shot["y"]) * 1e3
-    width = np.full(len(x), dot)
-    axes.add_collection(EllipseCollection(width, width, 0 * width, units="xy", offsets=np.column_stack((x, y)),
-                                          offset_transform=axes.transData, array=np.array(values), cmap=cmap, norm=norm,
-                                          edgecolors="none"))
-    axes.set_aspect("equal")
 
 
 def plate(folder):
@@ -69,12 +54,12 @@ def plate(folder):
     scale = max(max(map(abs, shot["sxx"])) for _, shot in shots) / 1e3 or 1.0
     norm = Normalize(-scale, scale)
     for axes, (moment, shot) in zip(np.atleast_1d(grid), shots):
-        particles(figure, axes, shot, 1.9, np.array(shot["sxx"]) / 1e3, norm, "RdBu_r")
+        particles(axes, shot, 1.9, np.array(shot["sxx"]) / 1e3, norm, "RdBu_r")
         axes.set(xlim=(-54, 206), ylim=(-42, 42), ylabel="y (mm)")
         axes.set_facecolor("0.86")
         axes.set_title(f"{moment:.3f} s", loc="right", y=0.76, fontsize=9)
     axes.set_xlabel("x (mm)")
-    figure.colorbar(matplotlib.cm.ScalarMappable(norm=norm, cmap="RdBu_r"), ax=grid, label="stress along the plate (kPa)")
+    figure.colorbar(ScalarMappable(norm=norm, cmap="RdBu_r"), ax=grid, label="stress along the plate (kPa)")
     save(figure, folder, "plate-shapes")
 
 
@@ -86,12 +71,12 @@ def strip(folder):
     figure, grid = plt.subplots(len(cases), 1, figsize=(7.4, 1.65 * len(cases)), sharex=True, layout="constrained", squeeze=False)
     for axes, case in zip(grid[:, 0], cases):
         moment, shot = measure.shots_of(case)[-1]
-        particles(figure, axes, shot, 0.8, np.array(shot["sxx"]) / 1e6, norm)
+        particles(axes, shot, 0.8, np.array(shot["sxx"]) / 1e6, norm)
         ended = measure.read(case)["elongation"][-1]
         axes.set(xlim=(-33, 33), ylim=(-6, 6), ylabel="y (mm)", title=f"{title(case)}: {100 * moment * 100:.0f} % longer" +
                  ("" if ended > 0.49 else f", stopped at {100 * ended:.0f} %"))
     axes.set_xlabel("x (mm)")
-    figure.colorbar(matplotlib.cm.ScalarMappable(norm=norm, cmap="viridis"), ax=grid, label="stress along the strip (MPa)")
+    figure.colorbar(ScalarMappable(norm=norm, cmap="viridis"), ax=grid, label="stress along the strip (MPa)")
     save(figure, folder, "strip")
 
     figure, axes = plt.subplots(figsize=(6.0, 3.8), layout="constrained")
@@ -113,10 +98,10 @@ def ring(folder):
     figure, grid = plt.subplots(1, len(cases), figsize=(3.6 * len(cases), 3.6), sharey=True, squeeze=False, layout="constrained")
     for axes, case in zip(grid[0], cases):
         shot = measure.shots_of(case)[-1][1]
-        particles(figure, axes, shot, 0.9, np.array(shot["vonmises"]) / 1e6, Normalize(0, 4))
+        particles(axes, shot, 0.9, np.array(shot["vonmises"]) / 1e6, Normalize(0, 4))
         axes.set(xlim=(-45, 45), ylim=(-45, 45), xlabel="x (mm)", title=title(case))
     grid[0, 0].set_ylabel("y (mm)")
-    figure.colorbar(matplotlib.cm.ScalarMappable(norm=Normalize(0, 4), cmap="viridis"), ax=grid, label="von Mises stress (MPa)")
+    figure.colorbar(ScalarMappable(norm=Normalize(0, 4), cmap="viridis"), ax=grid, label="von Mises stress (MPa)")
     save(figure, folder, "ring")
 
     figure, axes = plt.subplots(figsize=(6.0, 3.6), layout="constrained")
@@ -141,10 +126,10 @@ def square(folder):
         shots = measure.shots_of(case)
         for axes, k in zip(row, (0, 1, 4, 8)):
             if k < len(shots):
-                particles(figure, axes, shots[k][1], 0.9, np.array(shots[k][1]["vonmises"]) / 1e6, norm)
+                particles(axes, shots[k][1], 0.9, np.array(shots[k][1]["vonmises"]) / 1e6, norm)
                 axes.set(xlim=(-15, 15), ylim=(-15, 15), title=f"{k}/8 turn")
         row[0].set_ylabel(title(case).replace(", ", "\n"), fontsize=8)
-    figure.colorbar(matplotlib.cm.ScalarMappable(norm=norm, cmap="viridis"), ax=grid, label="von Mises stress (MPa)")
+    figure.colorbar(ScalarMappable(norm=norm, cmap="viridis"), ax=grid, label="von Mises stress (MPa)")
     save(figure, folder, "square")
 
 

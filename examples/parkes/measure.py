@@ -11,7 +11,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 from cases import LATTICES
-from running import at, columns, markdown, seconds, snapshots
+from histories import largest
+from running import at, columns, exceeded, markdown, number, seconds, snapshots
 
 OUTPUT = HERE / "output"
 LENGTH, DEPTH = 304.8, 6.6
@@ -77,7 +78,8 @@ def figures(case):
     return {
         "tip": tips, "off": {t: distance(tips[t], tip(fe, t)) for t in tips},
         "ke": {t: at(t, data["t_ms"], data["ke"]) if data["t_ms"][-1] > t - 0.05 else math.nan for t in KE_TIMES},
-        "energy": max(map(abs, data["energy_error"])), "viscous": data["viscous"][-1], "returned": data["returned"][-1],
+        "energy": largest(map(abs, data["energy_error"])),
+        "viscous": data["viscous"][-1], "returned": data["returned"][-1],
         "gap": max(largest_gap(line) for line in lines), "end": data["t_ms"][-1],
         "cpu": seconds(OUTPUT / f"{case.name}.log"),
     }
@@ -85,29 +87,19 @@ def figures(case):
 
 def missed(case, got):
     """The gates that a run misses, in words."""
-    fe, complaints = reference(), []
-
-    def gate(name, value, limit):
-        if not abs(value) <= limit:
-            complaints.append(f"{case.name}: {name} {value:.3g}, allowed {limit:.3g}")
-
-    gate("tip at 3 ms, mm from the finite elements", got["off"][3.0], GATES["tip 3"][case.refine])
-    gate("KE/KE0 at 3 ms over that of the finite elements, minus 1",
-         got["ke"][3] / at(3.0, fe["t_ms"], fe["ke"]) - 1, GATES["ke 3"])
+    fe = reference()
+    gates = [("tip at 3 ms, mm from the finite elements", got["off"][3.0], GATES["tip 3"][case.refine]),
+             ("KE/KE0 at 3 ms over that of the finite elements, minus 1",
+              got["ke"][3] / at(3.0, fe["t_ms"], fe["ke"]) - 1, GATES["ke 3"])]
     if case.tend > 15.8:
-        gate("tip at 15.8 ms, mm from the finite elements", got["off"][15.8], GATES["tip 15.8"][case.refine])
-    gate("energy error", got["energy"], GATES["energy"])
-    return complaints
+        gates.append(("tip at 15.8 ms, mm from the finite elements", got["off"][15.8], GATES["tip 15.8"][case.refine]))
+    return exceeded(case, [*gates, ("energy error", got["energy"], GATES["energy"])])
 
 
 # ---- the table ----------------------------------------------------------------------------------------------
 
 HEAD = ("frame", "particles", "h", "viscosity", "KE 0.3", "KE 1", "KE 3", "KE 5", "KE 10", "tip at 3 ms", "off",
         "tip at 15.8 ms", "off", "viscous heat", "returned", "energy error", "largest gap", "CPU s")
-
-
-def number(value, form):
-    return "-" if math.isnan(value) else format(value, form)
 
 
 def point(p):

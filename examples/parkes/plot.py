@@ -4,21 +4,15 @@ python3 plot.py [folder]     folder: where the pictures go, default output"""
 
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import ListedColormap, PowerNorm
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import PowerNorm
 
 sys.dont_write_bytecode = True
 import measure
 from cases import BY_NAME, LATTICES, VISCOSITIES, name_of
-from drawing import save    # beside running.py; measure has put that folder on the path
+from drawing import COLORS, STRAIN, plt, save    # beside running.py; measure has put that folder on the path
 from measure import OUTPUT
-
-COLORS = ("#4477aa", "#ee6677", "#228833", "#aa8800", "#66ccee", "#aa3377")
-CMAP = ListedColormap(plt.get_cmap("turbo")(np.linspace(0.07, 0.97, 36)))
 
 
 def ran(names):
@@ -89,12 +83,12 @@ def shape(folder, picture, names, t):
         case = BY_NAME[name]
         shots = measure.snapshots(OUTPUT / f"{name}.dump")
         moment, shot = min(shots, key=lambda s: abs(s[0] * 1e3 - t))
-        axes.scatter(np.array(shot["x"]) * 1e3, np.array(shot["y"]) * 1e3, c=shot["epl"], s=5.0 / case.refine ** 2, cmap=CMAP,
-                     norm=norm, lw=0)
+        axes.scatter(np.array(shot["x"]) * 1e3, np.array(shot["y"]) * 1e3, c=shot["epl"], s=5.0 / case.refine ** 2,
+                     cmap=STRAIN, norm=norm, lw=0)
         axes.plot(*measure.reference_axis(moment * 1e3), color="black", lw=0.9)
         axes.set(aspect="equal", xlabel="x (mm)", title=f"{case.frame}, {LATTICES[case.refine]}, {case.title}, {moment * 1e3:.1f} ms")
     grid[0, 0].set_ylabel("y (mm)")
-    figure.colorbar(matplotlib.cm.ScalarMappable(norm=norm, cmap=CMAP), ax=grid, extend="max", shrink=0.85, label="plastic strain")
+    figure.colorbar(ScalarMappable(norm=norm, cmap=STRAIN), ax=grid, extend="max", shrink=0.85, label="plastic strain")
     save(figure, folder, picture)
 
 

@@ -2,29 +2,24 @@
 
 python3 plot.py [folder]     folder: where the picture goes, default output"""
 
-import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
 sys.dont_write_bytecode = True
 import measure
-from measure import CASES, OUTPUT
+from drawing import COLORS, plt, save    # beside running.py; measure has put that folder on the path
+from measure import OUTPUT
 
-folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else OUTPUT)
-plt.rcParams.update({"font.size": 10, "axes.titlesize": 10, "figure.dpi": 110, "legend.frameon": False})
+folder = sys.argv[1] if len(sys.argv) > 1 else OUTPUT
 figure, axes = plt.subplots(1, 3, figsize=(11.5, 3.7), width_ratios=(1.35, 1, 1), constrained_layout=True)
 
 angle = np.linspace(0, 90, 181)
 axes[0].plot(angle, np.sin(np.radians(2 * angle)), "k-", lw=1, label="exact: sin 2 t")
-for name, color, marker in (("sph-solid", "#4477aa", "o"), ("ulsph", "#ee6677", "s")):
+for name, color, marker in (("sph-solid", COLORS[0], "o"), ("ulsph", COLORS[1], "s")):
     if (OUTPUT / f"{name}.dump").exists():
         angles, values = measure.history(name)
-        axes[0].plot(angles, [v[1] for v in values], marker, ms=4.5, color=color, label=CASES[name][2])
+        axes[0].plot(angles, [v[1] for v in values], marker, ms=4.5, color=color, label=measure.BY_NAME[name].title)
 axes[0].set(xlabel="angle t of the square (degrees)", ylabel="sxy in the middle / stress before", xlim=(-2, 92),
             xticks=range(0, 91, 15), ylim=(-1.15, 1.7))
 axes[0].axhline(0, color="0.8", lw=0.8, zorder=0)
@@ -40,5 +35,4 @@ for ax, name in zip(axes[1:], ("sph-solid", "ulsph")):
     ax.set(title=f"{name}: sxy at 45 degrees", aspect="equal", xlim=(-15, 15), ylim=(-15, 15), xlabel="mm")
 if dots is not None:
     figure.colorbar(dots, ax=axes[1:], label="MPa", shrink=0.85)
-figure.savefig(folder / "prestress.png", bbox_inches="tight", pad_inches=0.08)
-print(folder / "prestress.png" if len(sys.argv) > 1 else "output/prestress.png")
+save(figure, folder, "prestress")

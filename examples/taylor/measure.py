@@ -2,7 +2,6 @@
 
 Lengths in mm, times in us, energies in units of the initial kinetic energy KE0."""
 
-import csv
 import math
 import pathlib
 import re
@@ -13,7 +12,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 from cases import H, LATTICES, STUDIES, VISCOSITIES, WALLS, name_of
-from running import at, columns, markdown, seconds, snapshots
+from histories import closest, largest
+from running import at, columns, exceeded, markdown, number, seconds, snapshots
 
 OUTPUT = HERE / "output"
 WIDTH = 7.6
@@ -48,24 +48,9 @@ def outline(wall, time_us=50):
 def asymmetry(first, shot):
     """Largest difference between a particle and its mirror image in the axis, over the width of the rod."""
     key = {(round(x * 1e8), round(y * 1e8)): k for k, (x, y) in enumerate(zip(first["x"], first["y"]))}
-    worst = 0.0
-    for k, (x, y) in enumerate(zip(first["x"], first["y"])):
-        j = key[(round(-x * 1e8), round(y * 1e8))]
-        worst = max(worst, abs(shot["x"][k] + shot["x"][j]), abs(shot["y"][k] - shot["y"][j]))
-    return worst * 1e3 / WIDTH
-
-
-def closest(shot, refine=1):
-    """Distance of the two closest particles, in initial spacings."""
-    size, grid, best = SPACING / refine * 1e-3, {}, math.inf
-    for x, y in zip(shot["x"], shot["y"]):
-        i, j = math.floor(x / size), math.floor(y / size)
-        for p in (i - 1, i, i + 1):
-            for q in (j - 1, j, j + 1):
-                for u, v in grid.get((p, q), ()):
-                    best = min(best, math.hypot(x - u, y - v))
-        grid.setdefault((i, j), []).append((x, y))
-    return best / size
+    mirrored = [key[(round(-x * 1e8), round(y * 1e8))] for x, y in zip(first["x"], first["y"])]
+    return largest(abs(off) for k, j in enumerate(mirrored)
+                   for off in (shot["x"][k] + shot["x"][j], shot["y"][k] - shot["y"][j])) * 1e3 / WIDTH
 
 
 def has_run(case):
@@ -80,9 +65,9 @@ def figures(case):
     return {
         "length": data["length_mm"][-1], "foot": data["foot_mm"][-1],
         "ke": [at(t, data["t_us"], data["ke"]) for t in TIMES], "ke_end": data["ke"][-1],
-        "energy": max(map(abs, data["energy_error"])), "slip": max(map(abs, data["slip"])),
+        "energy": largest(map(abs, data["energy_error"])), "slip": largest(map(abs, data["slip"])),
         "viscous": data.get("viscous", nan)[-1], "returned": data.get("returned", nan)[-1],
-        "wall": data.get("wall", nan)[-1], "closest": closest(shots[-1][1], case.refine),
+        "wall": data.get("wall", nan)[-1], "closest": closest(shots[-1][1], SPACING / case.refine * 1e-3),
         "asymmetry": [asymmetry(shots[0][1], shot) for _, shot in shots[1:]],
         "end": data["t_us"][-1], "cpu": seconds(OUTPUT / f"{case.name}.log"),
     }
@@ -91,39 +76,29 @@ def figures(case):
 def missed(case, got):
     """The gates that a run misses, in words: those that it should meet, and those it is known to miss."""
     fe, gates = reference(case.wall), GATES[case.gates]
-    complaints, known = [], []
-
-    def gate(name, text, value, limit):
-        if not abs(value) <= limit:
-            (known if name in case.known else complaints).append(f"{case.name}: {text} {value:.3g}, allowed {limit:.3g}")
-
-    def against(name, column):
-        target, limit = gates[name]
-        target = target or at(50, fe["t_us"], fe[column])
-        gate(name, f"{name} {got[name]:.3f} mm over {target:.3f} mm of the finite elements, minus 1:", got[name] / target - 1,
-             limit)
-
+    figures = {}    # name: (text, value, limit)
     if "ke" in gates:
         for t, ke in zip(TIMES, got["ke"]):
-            gate(f"ke {t}", f"KE/KE0 at {t} us minus finite elements", ke - at(t, fe["t_us"], fe["ke"]), gates["ke"])
-    against("length", "length_mm")
-    if "foot" in gates:
-        against("foot", "foot_mm")
-    gate("energy", "energy error", got["energy"], gates["energy"])
-    gate("slip", "momentum along the wall", got["slip"], gates["slip"])
+            figures[f"ke {t}"] = (f"KE/KE0 at {t} us minus finite elements", ke - at(t, fe["t_us"], fe["ke"]),
+                                  gates["ke"])
+    for name in ("length", "foot"):
+        if name in gates:
+            target, limit = gates[name]
+            target = target or at(50, fe["t_us"], fe[f"{name}_mm"])
+            figures[name] = (f"{name} {got[name]:.3f} mm over {target:.3f} mm of the finite elements, minus 1:",
+                             got[name] / target - 1, limit)
+    figures["energy"] = ("energy error", got["energy"], gates["energy"])
+    figures["slip"] = ("momentum along the wall", got["slip"], gates["slip"])
     if "asymmetry" in gates:
-        gate("asymmetry", "asymmetry at 10 us", got["asymmetry"][0], gates["asymmetry"])
-    return complaints, known
+        figures["asymmetry"] = ("asymmetry at 10 us", got["asymmetry"][0], gates["asymmetry"])
+    return (exceeded(case, [gate for name, gate in figures.items() if name not in case.known]),
+            exceeded(case, [gate for name, gate in figures.items() if name in case.known]))
 
 
 # ---- the tables ---------------------------------------------------------------------------------------------
 
 HEAD = ("viscosity", "h", "wall", "length", "foot", "KE 10", "KE 20", "KE 30", "KE 40", "viscous heat", "returned",
         "wall work", "energy error", "closest", "CPU s")
-
-
-def number(value, form):
-    return "-" if math.isnan(value) else format(value, form)
 
 
 def rows(cases):
@@ -229,16 +204,11 @@ def step_rows(cases):
 
 
 def write_tables(cases):
-    """All tables of what has been run: output/table.md, .csv; the text."""
+    """All tables of what has been run: output/table.md; the text."""
     blocks = rows([case for case in cases if case.part not in STUDIES])
     parts = [(block, HEAD, table, 3) for block, table in blocks.items()]
     parts += [("finer lattices", REFINE_HEAD, refinement_rows(cases), 5), ("speeds", SPEED_HEAD, speed_rows(cases), 4),
               ("time steps", STEP_HEAD, step_rows(cases), 2)]
     text = "\n".join(f"**{block}**\n\n{markdown(head, table, left)}" for block, head, table, left in parts if table)
     (OUTPUT / "table.md").write_text(text)
-    with open(OUTPUT / "table.csv", "w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(("block",) + HEAD)
-        for block, table in blocks.items():
-            writer.writerows([block] + row for row in table)
     return text

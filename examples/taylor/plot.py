@@ -5,25 +5,19 @@ python3 plot.py [folder]     folder: where the pictures go, default output"""
 import functools
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import EllipseCollection
-from matplotlib.colors import ListedColormap, PowerNorm
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import PowerNorm
 
 sys.dont_write_bytecode = True
 import cases
 import measure
 from cases import BY_NAME, SMOOTHING, SMOOTHING_LAGRANGIAN, VISCOSITIES, WALLS
-from drawing import save    # beside running.py; measure has put that folder on the path
+from drawing import COLORS, STRAIN, discs, plt, save    # beside running.py; measure has put that folder on the path
 from measure import OUTPUT
 
 GRADIENT, H, WALL = "corrected", 1.5, "contact"    # of the Eulerian pictures, which follow the article's figures
 NORM = PowerNorm(0.6, 0.0, 2.5)                    # colours of the plastic strain
-CMAP = ListedColormap(plt.get_cmap("turbo")(np.linspace(0.07, 0.97, 36)))
-COLORS = ("#4477aa", "#ee6677", "#228833", "#aa8800", "#66ccee", "#aa3377")
 
 
 def name_of(key, gradient=GRADIENT, h=H, wall=WALL):
@@ -46,23 +40,19 @@ def rod(axes, name, reference=None, dot=0.35, size=(-12.0, 12.0, -0.7, 22.6), nu
     """The particles at the end of a run, coloured by plastic strain, with the finite elements' outline."""
     x, y, epl = final(name)
     keep = y > -1e-5    # the stock style's run holds the mirror image too
-    x, y, epl = x[keep] * 1e3, y[keep] * 1e3, epl[keep]
-    width = np.full(len(x), dot_of(name, dot))
-    axes.add_collection(EllipseCollection(width, width, 0 * width, units="xy", offsets=np.column_stack((x, y)),
-                                          offset_transform=axes.transData, array=epl, cmap=CMAP, norm=NORM,
-                                          edgecolors="none", zorder=3))
+    discs(axes, x[keep] * 1e3, y[keep] * 1e3, dot_of(name, dot), epl[keep], NORM, STRAIN, zorder=3)
     if reference:
         axes.plot(*measure.outline(reference), color="black", lw=1.8, zorder=4)
     axes.axhline(0.0, color="0.45", lw=1.0, zorder=1)
     axes.axhspan(size[2], 0.0, color="0.88", zorder=0, lw=0)
-    axes.set(xlim=size[:2], ylim=size[2:], aspect="equal")
+    axes.set(xlim=size[:2], ylim=size[2:])
     axes.tick_params(labelleft=numbers)
     return axes
 
 
 def strain_bar(figure, axes, **more):
-    mappable = matplotlib.cm.ScalarMappable(norm=NORM, cmap=CMAP)
-    bar = figure.colorbar(mappable, ax=axes, extend="max", ticks=(0, 0.1, 0.25, 0.5, 1, 1.5, 2, 2.5), **more)
+    bar = figure.colorbar(ScalarMappable(norm=NORM, cmap=STRAIN), ax=axes, extend="max",
+                          ticks=(0, 0.1, 0.25, 0.5, 1, 1.5, 2, 2.5), **more)
     bar.set_label("plastic strain")
     return bar
 

@@ -36,14 +36,12 @@ FixSPHSolidDt::FixSPHSolidDt(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
 {
   if (narg < 5) utils::missing_cmd_args(FLERR, "fix sph/solid/dt", error);
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
-  const bool usual = strcmp(arg[4], "auto") == 0;
-  if (!usual && !utils::is_double(arg[4]))
-    error->all(FLERR, 4, "Fix sph/solid/dt: cfl is '{}': expected a number > 0 or auto", arg[4]);
-  cfl = usual ? 0.0 : utils::numeric(FLERR, arg[4], false, lmp);
+  const bool usual = strcmp(arg[4], "auto") == 0, is_number = utils::is_double(arg[4]);
+  cfl = is_number ? utils::numeric(FLERR, arg[4], false, lmp) : 0.0;    // 0: auto
   if (nevery <= 0)
     error->all(FLERR, 3, "Fix sph/solid/dt: every is {}: expected an integer > 0", arg[3]);
   if (!usual && !(cfl > 0.0))
-    error->all(FLERR, 4, "Fix sph/solid/dt: cfl is {}: expected a number > 0 or auto", arg[4]);
+    error->all(FLERR, 4, "Fix sph/solid/dt: cfl is '{}': expected a number > 0 or auto", arg[4]);
 
   dt_max = dt_min = 0.0;
   for (int iarg = 5; iarg < narg; iarg += 2) {

@@ -88,7 +88,7 @@ int FixSPHSolidPartners::setmask()
 
 void FixSPHSolidPartners::init()
 {
-  if (left) return;
+  if (kept_ledger) return;
   if (periodic() && domain->triclinic)
     error->all(FLERR, "sph/solid, frame lagrangian: a triclinic box cannot be periodic");
   if (periodic() && FixSPHSolid::drives_box(lmp))

@@ -44,7 +44,7 @@ class FixSPHSolidPartners : public Fix {
   bool *gone;       // somebody's flag, set when this fix is deleted; nullptr: nobody's
 
   // of the pair style that is gone, for the next one.  While there is one, this fix does nothing
-  std::unique_ptr<SPHSolid::Ledger> left;
+  std::unique_ptr<SPHSolid::Ledger> kept_ledger;
 
   FixSPHSolidPartners(class LAMMPS *, int, char **);
   ~FixSPHSolidPartners() override;
@@ -151,7 +151,7 @@ class FixSPHSolidPartners : public Fix {
   double largest_distance_by_id() const;
   double square_of_nearest(const double *a, const double *b) const;
   bool follows_partners() const;
-  void cover(double distance);
+  void enlarge_ghost_cutoff(double distance);
   int near_image(int i, int j) const;
   void require_near(int i, int image) const;
 };

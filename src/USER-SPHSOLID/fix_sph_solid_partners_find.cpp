@@ -94,7 +94,7 @@ void FixSPHSolidPartners::require_on_one_side(int d, double plane, double tolera
     }
 }
 
-// a quarter of the memory of a particle's partners, kept only for cover()
+// a quarter of the memory of a particle's partners, kept only for enlarge_ghost_cutoff()
 
 bool FixSPHSolidPartners::forget_rows()
 {

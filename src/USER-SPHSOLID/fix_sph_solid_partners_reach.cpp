@@ -30,7 +30,7 @@
 using namespace LAMMPS_NS;
 
 // when partners outgrow the ghost cutoff, it grows by this much more than needed
-static constexpr double COVER_MORE = 1.25;
+static constexpr double MORE_THAN_NEEDED = 1.25;
 
 /* ---------------------------------------------------------------------- */
 
@@ -94,15 +94,15 @@ double FixSPHSolidPartners::square_of_nearest(const double *a, const double *b) 
 
 bool FixSPHSolidPartners::follows_partners() const
 {
-  if (left) return false;
+  if (kept_ledger) return false;
   return comm->nprocs > 1 || periodic();
 }
 
-void FixSPHSolidPartners::cover(double distance)
+void FixSPHSolidPartners::enlarge_ghost_cutoff(double distance)
 {
   distance += 0.5 * neighbor->skin;    // ghosts lag one step
   if (distance < comm->get_comm_cutoff() || !std::isfinite(distance)) return;
-  comm->cutghostuser = COVER_MORE * distance;
+  comm->cutghostuser = MORE_THAN_NEEDED * distance;
   reach_is_new = true;
   if (comm->me == 0)
     utils::logmesg(lmp,
@@ -118,7 +118,8 @@ void FixSPHSolidPartners::pre_exchange()
 {
   if (!follows_partners()) return;
   // rows are no longer right where others came first
-  cover(FixSPHSolid::exchanged_before(lmp, this) ? largest_distance_by_id() : largest_distance());
+  enlarge_ghost_cutoff(FixSPHSolid::exchanged_before(lmp, this) ? largest_distance_by_id()
+                                                                : largest_distance());
   if (!reach_is_new) return;
   if (auto *pair = PairSPHSolid::ready(lmp)) pair->add_left_heat();
   reach_is_new = false;
@@ -128,7 +129,7 @@ void FixSPHSolidPartners::pre_exchange()
 
 void FixSPHSolidPartners::post_run()
 {
-  if (follows_partners()) cover(largest_distance());
+  if (follows_partners()) enlarge_ghost_cutoff(largest_distance());
 }
 
 // before the first borders of a run: partners may have come apart by a command, or on the one rank
@@ -136,6 +137,6 @@ void FixSPHSolidPartners::post_run()
 
 void FixSPHSolidPartners::setup_pre_exchange()
 {
-  if (follows_partners()) cover(largest_distance_by_id());
+  if (follows_partners()) enlarge_ghost_cutoff(largest_distance_by_id());
   reach_is_new = false;    // the setup goes on with that of Comm
 }

@@ -54,28 +54,6 @@ template <class Call> static bigint count_particles(int n, MPI_Comm world, Call 
   return sum_over_ranks(mine, world);
 }
 
-// between runs pair_style commands can take the pair style away or make a new one
-
-PairSPHSolid *PairSPHSolid::ready(LAMMPS *lmp)
-{
-  auto *pair = dynamic_cast<PairSPHSolid *>(lmp->force->pair_match("sph/solid", 1));
-  if (!pair || !pair->sweeps) return nullptr;
-  pair->own = AtomVecSPHSolid::arrays(lmp->atom);    // replicate makes another Atom
-  return pair->own ? pair : nullptr;
-}
-
-PairSPHSolid *PairSPHSolid::find_ready(LAMMPS *lmp, const char *caller)
-{
-  PairSPHSolid *pair = ready(lmp);
-  if (!pair)
-    lmp->error->all(FLERR, Error::NOLASTLINE,
-                    "{} needs pair style sph/solid as a run has set it up: expected it to stay, or "
-                    "a 'run 0' with the new one before",
-                    caller);
-  pair->require_partners();
-  return pair;
-}
-
 void PairSPHSolid::require_environment()
 {
   own = AtomVecSPHSolid::arrays(atom);    // of this Atom: replicate makes another

@@ -244,12 +244,12 @@ void PairSPHSolid::create_partners()
   require_partners();
   if (partners) return;
   partners = dynamic_cast<FixSPHSolidPartners *>(modify->get_fix_by_id(PARTNERS_ID));
-  if (partners && partners->left)
-    ledger() = *partners->left;
+  if (partners && partners->kept_ledger)
+    ledger() = *partners->kept_ledger;
   else
     partners = dynamic_cast<FixSPHSolidPartners *>(
         modify->add_fix(std::string(PARTNERS_ID) + " all SPH/SOLID/PARTNERS"));
-  partners->left.reset();
+  partners->kept_ledger.reset();
   partners->gone = &partners_gone;
 }
 
@@ -259,7 +259,7 @@ void PairSPHSolid::create_partners()
 void PairSPHSolid::leave_partners()
 {
   if (!partners || partners_gone) return;
-  partners->left = std::make_unique<Ledger>(ledger());
+  partners->kept_ledger = std::make_unique<Ledger>(ledger());
   partners->gone = nullptr;
 }
 

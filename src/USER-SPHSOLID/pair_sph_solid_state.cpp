@@ -44,6 +44,28 @@ PairSPHSolid *PairSPHSolid::find(LAMMPS *lmp, const char *caller)
   return pair;
 }
 
+// between runs pair_style commands can take the pair style away or make a new one
+
+PairSPHSolid *PairSPHSolid::ready(LAMMPS *lmp)
+{
+  auto *pair = dynamic_cast<PairSPHSolid *>(lmp->force->pair_match("sph/solid", 1));
+  if (!pair || !pair->sweeps) return nullptr;
+  pair->own = AtomVecSPHSolid::arrays(lmp->atom);    // replicate makes another Atom
+  return pair->own ? pair : nullptr;
+}
+
+PairSPHSolid *PairSPHSolid::find_ready(LAMMPS *lmp, const char *caller)
+{
+  PairSPHSolid *pair = ready(lmp);
+  if (!pair)
+    lmp->error->all(FLERR, Error::NOLASTLINE,
+                    "{} needs pair style sph/solid as a run has set it up: expected it to stay, or "
+                    "a 'run 0' with the new one before",
+                    caller);
+  pair->require_partners();
+  return pair;
+}
+
 void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool book)
 {
   const Particles p = particles();

@@ -38,12 +38,12 @@ template <class Real = double> struct PressureState {
 // coefficients of eqs 11-13; the linear form P = K eta, without thermal pressure,
 // is the one with a0 = K and nothing else
 
-template <class Real = double> struct Compression {
+template <class Real = double> struct EosConstants {
   Real a0, b0, c0;    // of the powers of eta [pressure]
   Real Gamma;
 };
 
-inline Compression<> compression(const Material &m)
+inline EosConstants<> eos_constants(const Material &m)
 {
   if (m.eos == EOS::LINEAR) return {m.K, 0.0, 0.0, 0.0};
   const double s = m.S - 1.0, a0 = m.rho0 * m.C * m.C;
@@ -65,7 +65,7 @@ template <class Real> struct Densities {
 // e in energy/mass, zero at (rho_ref, P = 0)
 
 template <class Real>
-inline PressureState<Real> pressure(const Compression<Real> &k, const Densities<Real> &of, Real e)
+inline PressureState<Real> pressure(const EosConstants<Real> &k, const Densities<Real> &of, Real e)
 {
   const Real eta = (of.rho - of.rho_ref) * of.inv_rho_ref;
   const Real b0 = where_positive(eta, k.b0, Real(0.0));
@@ -85,7 +85,7 @@ inline PressureState<Real> pressure(const Compression<Real> &k, const Densities<
 
 inline PressureState<> pressure(const Material &m, double rho, double rho_ref, double e)
 {
-  return pressure(compression(m), Densities<double>(rho, rho_ref), e);
+  return pressure(eos_constants(m), Densities<double>(rho, rho_ref), e);
 }
 
 }    // namespace SPHSolid

@@ -153,7 +153,7 @@ void require_positive(LAMMPS *lmp, double value, const char *keyword, const std:
 
 void require_finite(LAMMPS *lmp, const Material &m, const std::string &where)
 {
-  const Compression<> k = compression(m);
+  const EosConstants<> k = eos_constants(m);
   const struct {
     const char *name;
     double value;

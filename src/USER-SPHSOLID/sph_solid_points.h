@@ -74,8 +74,8 @@ template <int D> class PointSweeps : public Sweeps {
       opt(o), types(t), unit_factor(std::pow(largest(t, &TypeData::h), -(D + 2)))
   {
     for (const TypeData &type : types) {
-      resistances.push_back(resistance(type.material));
-      compressions.push_back(compression(type.material));
+      strengths.push_back(strength_constants(type.material));
+      eos_of_types.push_back(eos_constants(type.material));
     }
   }
   bool sweeps_for_switch() const override { return opt.viscosity == Viscosity::FRONT; }
@@ -95,8 +95,8 @@ template <int D> class PointSweeps : public Sweeps {
       if (type.h > 0.0) most = std::max(most, type.*length);
     return most;
   }
-  std::vector<Resistance<>> resistances;    // of the types
-  std::vector<Compression<>> compressions;
+  std::vector<StrengthConstants<>> strengths;    // of the types
+  std::vector<EosConstants<>> eos_of_types;
   std::vector<int> image_first, image_j;    // candidates among the images
   int nparticles = 0;                       // own and ghosts, before images
 
@@ -361,9 +361,9 @@ PointSweeps<D>::update_points(const Particles &p, const Batch &batch, const Tens
   Pack plastic_work_density = 0.0;
 
   if (dt > 0.0) {
-    using R = Resistance<>;
-    const Resistance<Pack> r = {of(resistances, &R::shear), of(resistances, &R::Y),
-                                of(resistances, &R::H)};
+    using R = StrengthConstants<>;
+    const StrengthConstants<Pack> r = {of(strengths, &R::shear), of(strengths, &R::Y),
+                                       of(strengths, &R::H)};
     state.epl = batch.load(p.epl);
     plastic_work_density = advance<D, Pack>(r, state, L_mid, dt);
     batch.store(p.rho, state.rho);
@@ -371,9 +371,9 @@ PointSweeps<D>::update_points(const Particles &p, const Batch &batch, const Tens
     store_deviator(p, batch, state);
   }
 
-  using C = Compression<>;
-  const Compression<Pack> k = {of(compressions, &C::a0), of(compressions, &C::b0),
-                               of(compressions, &C::c0), of(compressions, &C::Gamma)};
+  using C = EosConstants<>;
+  const EosConstants<Pack> k = {of(eos_of_types, &C::a0), of(eos_of_types, &C::b0),
+                                of(eos_of_types, &C::c0), of(eos_of_types, &C::Gamma)};
   const Densities<Pack> densities(state.rho, mass / batch.load(p.volume));
   points.eos = pressure(k, densities, batch.load(p.e));
   points.inv_rho = densities.inv_rho;

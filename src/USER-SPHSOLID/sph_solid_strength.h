@@ -49,12 +49,12 @@ template <int D, class Real = double> struct PointState {
 
 // the constants of a material that are used here
 
-template <class Real = double> struct Resistance {
+template <class Real = double> struct StrengthConstants {
   Real shear;    // shear modulus mu [pressure]
   Real Y, H;     // yield stress Y + H epl [pressure]; elastic: Y larger than any stress
 };
 
-inline Resistance<> resistance(const Material &m)
+inline StrengthConstants<> strength_constants(const Material &m)
 {
   if (m.strength == Strength::ELASTIC) return {m.shear, 1.0e300, 0.0};
   return {m.shear, m.Y, m.strength == Strength::LINEAR ? m.H : 0.0};
@@ -102,7 +102,7 @@ inline Real von_mises_squared(const Tensor<D, Real> &S, Real Szz)
 // squares tell, there is no root to wait for and no division
 
 template <int D, class Real>
-inline Real radial_return(const Resistance<Real> &m, PointState<D, Real> &p)
+inline Real radial_return(const StrengthConstants<Real> &m, PointState<D, Real> &p)
 {
   const Real yield = m.Y + m.H * p.epl, yield2 = yield * yield;
   const Real sigma_e2 = von_mises_squared<D, Real>(p.S, p.Szz);
@@ -124,8 +124,8 @@ inline Real radial_return(const Resistance<Real> &m, PointState<D, Real> &p)
 // L at the middle of the step; returns plastic work per volume [pressure]
 
 template <int D, class Real>
-inline Real advance(const Resistance<Real> &m, PointState<D, Real> &p, const Tensor<D, Real> &L,
-                    Real dt)
+inline Real advance(const StrengthConstants<Real> &m, PointState<D, Real> &p,
+                    const Tensor<D, Real> &L, Real dt)
 {
   const Real volumetric = L.trace();
   const Tensor<D, Real> strain = Real(0.5) * (L + L.transpose());
@@ -156,13 +156,13 @@ template <int D> inline double von_mises_squared(const Tensor<D> &S, double Szz)
 
 template <int D> inline double radial_return(const Material &m, PointState<D> &p)
 {
-  return radial_return<D, double>(resistance(m), p);
+  return radial_return<D, double>(strength_constants(m), p);
 }
 
 template <int D>
 inline double advance(const Material &m, PointState<D> &p, const Tensor<D> &L, double dt)
 {
-  return advance<D, double>(resistance(m), p, L, dt);
+  return advance<D, double>(strength_constants(m), p, L, dt);
 }
 
 }    // namespace SPHSolid

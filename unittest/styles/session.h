@@ -297,6 +297,7 @@ inline const std::string MOVE = "fix move all sph/solid\nfix step all sph/solid/
 
 struct Block {
   int nx = 12, ny = 20, nz = 0;    // nz = 0: two dimensions
+  int types = 1;                   // that there is room for
   std::string first = "";          // before the box exists
   std::string style = "sph/solid";
   std::string boundary = "f f";
@@ -321,7 +322,7 @@ struct Block {
       << "atom_style " << style << "\n"
       << "atom_modify map array\n"
       << first << "region box block " << box << " " << z << "\n"
-      << "create_box 1 box\n"
+      << "create_box " << types << " box\n"
       << "lattice " << (flat ? "sq" : "sc") << " 0.001\n"
       << "region body block -0.1 " << nx - 0.9 << " -0.1 " << ny - 0.9 << " -0.1 "
       << (flat ? 0.1 : nz - 0.9) << "\n"

@@ -158,9 +158,10 @@ const std::string TWO_TYPES = "pair_style sph/solid 1.3e-3 frame lagrangian\n"
 
 std::string with_two_types()
 {
-  std::string script = body().script();
-  const std::string box = "create_box 1 box", pair = body().interaction();
-  script.replace(script.find(box), box.size(), "create_box 2 box");
+  Block b = body();
+  b.types = 2;
+  std::string script = b.script();
+  const std::string pair = b.interaction();
   script.replace(script.find(pair), pair.size(), TWO_TYPES + NEIGHBOR);
   return script;
 }

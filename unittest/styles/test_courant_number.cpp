@@ -47,11 +47,10 @@ std::pair<double, double> courant_numbers(const Session &s)
 
 // with room for a second type; before the pair_style command, and from there on
 
-std::pair<std::string, std::string> of_two_types(const Block &b)
+std::pair<std::string, std::string> of_two_types(Block b)
 {
-  std::string script = b.script();
-  const std::string one = "create_box 1";
-  script.replace(script.find(one), one.size(), "create_box 2");
+  b.types = 2;
+  const std::string script = b.script();
   const auto interaction = script.find("pair_style");
   return {script.substr(0, interaction), script.substr(interaction)};
 }

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"cfl_word", "fix 1 all sph/solid/dt 1 safe",
                          "Fix sph/solid/dt: cfl is 'safe': expected a number > 0 or auto ("},
                     Case{"cfl_negative", "fix 1 all sph/solid/dt 1 -0.3",
-                         "Fix sph/solid/dt: cfl is -0.3: expected a number > 0 or auto ("},
+                         "Fix sph/solid/dt: cfl is '-0.3': expected a number > 0 or auto ("},
                     Case{"keyword", "fix 1 all sph/solid/dt 1 0.3 most 1",
                          "Fix sph/solid/dt: unknown keyword 'most': expected max or min ("},
                     Case{"max_missing", "fix 1 all sph/solid/dt 1 0.3 max",
@@ -81,10 +81,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"nothing", "compute 1 all sph/solid/atom",
              "Illegal compute sph/solid/atom command: missing argument"},
-        Case{
-            "name", "compute 1 all sph/solid/atom rho density",
-            "Compute sph/solid/atom: unknown name 'density': expected one of rho p e c epl "
-            "vonmises sxx syy szz sxy sxz syz h neigh ("}),
+        Case{"name", "compute 1 all sph/solid/atom rho density",
+             "Compute sph/solid/atom: unknown name 'density': expected one of rho p e c epl "
+             "vonmises sxx syy szz sxy sxz syz h neigh ("}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(Energy, CommandRefuses,

@@ -107,11 +107,11 @@ std::string of_two_types(const std::string &frame, const std::string &pair_coeff
 {
   Block b;
   b.nx = b.ny = 8;
+  b.types = 2;
   b.frame = frame;
   b.motion = "region left block INF 3.5 INF INF INF INF\ngroup left region left\n"
              "velocity left set 0 -50 0 units box\n";
   std::string text = b.script();
-  replace(text, "create_box 1", "create_box 2");
   replace(text, "set group all volume",
           "region low block INF INF INF 3.5 INF INF\ngroup low region low\nset group low type 2\n"
           "set group all volume");

@@ -87,8 +87,9 @@ TEST(GhostCutoffThatGrows, LeavesNoHeatBehind)
   s(torn() + "run 1\n");
   const double before = s.value("c_e");
   s("run 50");
-  if (first_rank())
+  if (first_rank()) {
     EXPECT_THAT(s.log(), HasSubstr("ghost cutoff enlarged to 0.0063"));    // half a box is 0.0061
+  }
   EXPECT_NEAR(s.value("c_e"), before, 1.0e-12 * before);
 }
 

@@ -74,11 +74,10 @@ TEST(TwoMaterials, ATypeWithoutParticlesChangesNothing)
     Block b;
     b.frame = frame;
     b.motion = "variable vy atom -2e4*y*(1+100*x)\nvelocity all set NULL v_vy NULL units box\n";
-    std::string two = b.script();
-    two.replace(two.find("create_box 1"), 12, "create_box 2");
     Session with, without;
-    with(two);
     without(b.script());
+    b.types = 2;
+    with(b.script());
     with("run 20");
     without("run 20");
     expect_bitwise(with.state(), without.state());

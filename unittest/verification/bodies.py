@@ -1,34 +1,8 @@
-"""What the scenes with two-dimensional bodies share: distances between particles, pictures of a body.
+"""What the scenes with two-dimensional bodies share: pieces of a body, colours and errors in pictures.
 
 Measuring needs nothing but Python."""
 
-import math
-
-
-def buckets(x, y, size):
-    """{cell: particles in it} of a grid."""
-    grid = {}
-    for k, (u, v) in enumerate(zip(x, y)):
-        grid.setdefault((math.floor(u / size), math.floor(v / size)), []).append(k)
-    return grid
-
-
-def close_pairs(x, y, reach):
-    """(i, j, distance) of all pairs of particles closer than reach, i < j."""
-    grid = buckets(x, y, reach)
-    for (p, q), here in grid.items():
-        near = [j for a in (p - 1, p, p + 1) for b in (q - 1, q, q + 1) for j in grid.get((a, b), ())]
-        for i in here:
-            for j in near:
-                if i < j:
-                    distance = math.hypot(x[i] - x[j], y[i] - y[j])
-                    if distance < reach:
-                        yield i, j, distance
-
-
-def closest(shot, spacing):
-    """Distance of the two closest particles, in spacings."""
-    return min((d for _, _, d in close_pairs(shot["x"], shot["y"], 1.5 * spacing)), default=math.inf) / spacing
+from histories import close_pairs
 
 
 def pieces(shot, reach):
@@ -47,18 +21,6 @@ def pieces(shot, reach):
     for k in range(len(root)):
         sizes[find(k)] = sizes.get(find(k), 0) + 1
     return sorted(sizes.values(), reverse=True)
-
-
-def particles(axes, shot, size, values, norm, cmap="viridis", unit=1.0):
-    """A body as dots of the given size in units of the plot; unit: of the plot, in m."""
-    import numpy as np
-    from matplotlib.collections import EllipseCollection
-    x, y = np.array(shot["x"]) / unit, np.array(shot["y"]) / unit
-    width = np.full(len(x), size)
-    axes.add_collection(EllipseCollection(width, width, 0 * width, units="xy", offsets=np.column_stack((x, y)),
-                                          offset_transform=axes.transData, array=np.array(values), cmap=cmap, norm=norm,
-                                          edgecolors="none"))
-    axes.set_aspect("equal")
 
 
 def colour_bar(figure, axes):

@@ -37,6 +37,7 @@ sys.path[:0] = [str(HERE), str(ROOT / "examples")]
 
 import methods
 import running
+from histories import slope
 
 
 @dataclass(frozen=True)
@@ -188,13 +189,13 @@ def finest(results):
 
 
 def order(results, figure):
-    """Observed order of convergence: least squares of log error over log n; nan with fewer than two."""
+    """Observed order of convergence: least squares of log error over log n; nan with fewer than two or a nan."""
     points = [(math.log(r.case.n), math.log(abs(r.figures[figure]))) for r in results
-              if r.figures.get(figure) and math.isfinite(r.figures[figure])]
+              if r.figures.get(figure)]
     if len(points) < 2:
         return math.nan
-    x0, y0 = (sum(p[k] for p in points) / len(points) for k in (0, 1))
-    return -sum((x - x0) * (y - y0) for x, y in points) / sum((x - x0) ** 2 for x, _ in points)
+    sizes, errors = zip(*points)
+    return -slope(errors, sizes)
 
 
 @dataclass

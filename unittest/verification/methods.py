@@ -1,7 +1,7 @@
 """The methods that every verification scene is run with, as data: add a line here and all tables get a row.
 
 A method of this package is a set of variables for the input in.<scene>. One of the styles that come with LAMMPS has
-an input of its own, in.<scene>.<style>; a scene says in cannot(method) why it has none."""
+an input of its own, in.<scene>.<package>; a scene says in cannot(method) why it has none."""
 
 from dataclasses import dataclass, field
 
@@ -11,7 +11,8 @@ class Method:
     key: str                # in file names and data
     title: str              # in tables
     group: str              # rows of a group stand together
-    stock: str = ""         # ending of the input of a style that comes with LAMMPS: ulsph, tlsph, sph
+    stock: str = ""         # a style that comes with LAMMPS: ulsph, tlsph, sph
+    package: str = ""       # of that style: ending of its input
     variables: dict = field(default_factory=dict, compare=False)
     gradient: str = ""      # corrected or plain
     frame: str = ""
@@ -32,7 +33,7 @@ class Method:
         return self.kind in ("correct", "safe", "none", "limited05")
 
     def script(self, scene):
-        return f"in.{scene}.{self.stock}" if self.stock else f"in.{scene}"
+        return f"in.{scene}.{self.package}" if self.package else f"in.{scene}"
 
 
 H = {"lagrangian": 1.0, "eulerian": 1.3}      # smoothing length in spacings, as doc/pair_sph_solid.rst recommends for waves
@@ -43,7 +44,7 @@ def ours(key, viscosity, frame="lagrangian", gradient="corrected", title=None, *
     group = "Lagrangian frame" if frame == "lagrangian" else f"Eulerian frame, {gradient} gradients"
     initial = {"lagrangian": "L", "eulerian": "E" if gradient == "corrected" else "P"}[frame]
     settings = {"frame": frame, "viscosity": viscosity, "gradient": gradient, "h": H[frame], "cfl": CFL[frame]}
-    return Method(f"{initial}-{key}", title or viscosity, group, "", {**settings, **variables}, gradient, frame)
+    return Method(f"{initial}-{key}", title or viscosity, group, "", "", {**settings, **variables}, gradient, frame)
 
 
 METHODS = [
@@ -66,9 +67,9 @@ METHODS = [
     ours("front", "front", "eulerian"),
     ours("correct", "correct", "eulerian", "plain"),
     ours("monaghan1", "monaghan 1 1", "eulerian", "plain"),
-    Method("ulsph", "smd/ulsph (MACHDYN)", "styles that come with LAMMPS", "ulsph"),
-    Method("tlsph", "smd/tlsph (MACHDYN)", "styles that come with LAMMPS", "tlsph"),
-    Method("sph", "sph/* (SPH)", "styles that come with LAMMPS", "sph"),
+    Method("ulsph", "smd/ulsph (MACHDYN)", "styles that come with LAMMPS", "ulsph", "smd", {"style": "ulsph"}),
+    Method("tlsph", "smd/tlsph (MACHDYN)", "styles that come with LAMMPS", "tlsph", "smd", {"style": "tlsph"}),
+    Method("sph", "sph/* (SPH)", "styles that come with LAMMPS", "sph", "sph"),
 ]
 BY_KEY = {method.key: method for method in METHODS}
 DEFAULT = "L-correct"    # what a user gets who sets nothing

@@ -1,6 +1,6 @@
 """Profiles along a strip whose state depends on x alone, and their distance from an exact profile. Nothing but Python.
 
-A profile is {name: [values]}, one value per column of particles, ordered by x; the scatter within columns is kept."""
+A profile is {name: [values]}, one value per column of particles, ordered by x."""
 
 import math
 
@@ -24,15 +24,6 @@ def over_time(dump):
     """[(time, profile)] of the snapshots of a run; the first shows the lattice."""
     shots = snapshots(dump)
     return [(t, profile(shots[0][1], shot)) for t, shot in shots]
-
-
-def scatter(first, shot, name):
-    """Largest difference of a quantity within a column."""
-    lows, highs = {}, {}
-    for x, value in zip(first["x"], shot[name]):
-        key = round(x * 1e9)
-        lows[key], highs[key] = min(value, lows.get(key, value)), max(value, highs.get(key, value))
-    return max(highs[key] - lows[key] for key in lows)
 
 
 def resample(xs, ys, grid):

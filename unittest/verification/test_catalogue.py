@@ -67,6 +67,7 @@ class Judging(unittest.TestCase):
         self.assertEqual(self.count(Scene(least=1.9), *second), 0)
         self.assertEqual(self.count(Scene(least=2.1), *second), 1)
         self.assertEqual(self.count(Scene(least=1.9), ran(10, 0.01)), 1)    # one resolution has no order
+        self.assertEqual(self.count(Scene(least=1.9), *second, ran(80, math.nan)), 2)    # its gate, and the order
 
 
 class Exact(unittest.TestCase):
@@ -116,6 +117,14 @@ class Profiles(unittest.TestCase):
 
 
 class Histories(unittest.TestCase):
+    def test_largest(self):
+        self.assertEqual(histories.largest([2.0, -3.0, math.inf]), math.inf)
+        for k in range(3):
+            values = [3.0, 1.0, 2.0]
+            values[k] = math.nan
+            self.assertTrue(math.isnan(histories.largest(values)))
+            self.assertTrue(math.isnan(histories.largest(map(abs, values))))
+
     def test_drift(self):
         self.assertAlmostEqual(histories.drift([2.0, 2.1, 1.8]), 0.1, 12)
         self.assertTrue(math.isnan(histories.drift([2.0, math.nan, 1.8])))
@@ -126,6 +135,12 @@ class Histories(unittest.TestCase):
 
     def test_slope(self):
         self.assertAlmostEqual(histories.slope([1.0, 3.5, 4.0, 7.0]), 1.85, 12)
+        self.assertAlmostEqual(histories.slope([1.0, 4.0, 9.0], [1.0, 2.0, 4.0]), 37 / 14, 12)
+
+    def test_closest(self):
+        shot = {"x": [0.0, 1.0, 1.6, 3.0], "y": [0.0, 0.0, 0.8, 0.0]}
+        self.assertAlmostEqual(histories.closest(shot, 2.0), 0.5, 12)
+        self.assertEqual(histories.closest(shot, 0.5), math.inf)
 
 
 if __name__ == "__main__":

@@ -19,6 +19,8 @@ mode: `limited` and `front` have nothing to take away and leave all of it, and t
 
 import math
 
+import histories
+
 SUPPORT = 2.0
 NORM = 10 / (7 * math.pi)
 MODES = {    # number in in.tension: name, wave vector in pi/dx, direction of u
@@ -101,7 +103,7 @@ def fitted(data, low=3e-5, high=1e-3):
     """Growth rate of a run: slope of the logarithm of the mean speed while the mean displacement is between low and high
     (dx; it begins at 1e-6, so that the decaying half of the start is gone). 0 if it does not come that far."""
     points = [(t, math.log(s)) for t, s, d in zip(data["t"], data["speed"], data["moved"]) if low < d < high]
-    if len(points) < 6 or max(data["moved"]) < high / 2:
+    if len(points) < 6 or not histories.largest(data["moved"]) >= high / 2:
         return 0.0
-    t0, s0 = (sum(p[k] for p in points) / len(points) for k in (0, 1))
-    return sum((t - t0) * (s - s0) for t, s in points) / sum((t - t0) ** 2 for t, _ in points)
+    times, logarithms = zip(*points)
+    return histories.slope(logarithms, times)

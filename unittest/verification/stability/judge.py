@@ -12,7 +12,8 @@ sys.path[:0] = [str(HERE), str(HERE.parents[2] / "examples"), str(HERE.parents[2
 import growth
 import running
 from charts import TAYLOR
-from measure import closest, tension    # of examples/elastic
+from histories import closest, drift, largest
+from measure import tension    # of examples/elastic
 
 # verdicts, in the order in which they are looked for; the colours and words of the legend are in plot.py
 REFUSED, DISTORTED, UNPHYSICAL, LEFT, STOPPED, SLOW, ENERGY, TORN, CLUMPED, OFF, SURVIVED = (
@@ -86,18 +87,18 @@ def finite_elements():
 def rod(run, data):
     speed, tend = float(run.variables.get("speed", 200)), float(run.variables.get("tend", 50e-6)) * 1e6
     length, foot = data["length_mm"][-1], data["foot_mm"][-1]
-    end = {"reached": data["t_us"][-1] / tend, "energy": max(map(abs, data["energy_error"])),
+    end = {"reached": data["t_us"][-1] / tend, "energy": largest(map(abs, data["energy_error"])),
            "closest": least_distance(run, math.sqrt(7.6 / 10 * 25.4 / 33) * 1e-3)}
     if speed == 200:
         fe_length, fe_foot = finite_elements()
         end["number"] = foot / fe_foot - 1
-        end["off"] = abs(foot / fe_foot - 1) > FOOT or abs(length / fe_length - 1) > LENGTH
+        end["off"] = not abs(foot / fe_foot - 1) <= FOOT or not abs(length / fe_length - 1) <= LENGTH
     else:
         end["number"] = length / ROD_LENGTH
-        end["off"] = data["ke"][-1] < 0.02 and abs(length / ROD_LENGTH - wilkins_guinan(speed)) > WILKINS
+        end["off"] = not data["ke"][-1] >= 0.02 and not abs(length / ROD_LENGTH - wilkins_guinan(speed)) <= WILKINS
     if run.chart == "speed":
         end["number"] = length / ROD_LENGTH
-    end["clumped"] = end["closest"] < CLOSEST * left_by_jitter(run)
+    end["clumped"] = not end["closest"] >= CLOSEST * left_by_jitter(run)
     return end
 
 
@@ -108,18 +109,17 @@ def strip(run, data):
     uneven = [e for e, mean, low, high in zip(*ends) if e > 0.002 and not high - low <= SPREAD * abs(mean)]
     exact = tension(data["elongation"][-1])
     return {"reached": data["elongation"][-1] / run.variables["stretch"], "closest": least,
-            "clumped": least < PAIRED * left_by_jitter(run), "number": uneven[0] if uneven else math.nan,
-            "off": bool(uneven) or abs(data["sxx_Pa"][-1] / exact - 1) > STRESS}
+            "clumped": not least >= PAIRED * left_by_jitter(run), "number": uneven[0] if uneven else math.nan,
+            "off": bool(uneven) or not abs(data["sxx_Pa"][-1] / exact - 1) <= STRESS}
 
 
 def square(run, data):
     """Number: change of the kinetic energy."""
-    kept = [ke / data["kinetic_J"][0] - 1 for ke in data["kinetic_J"]]
-    spin = max(abs(Lz / data["Lz"][0] - 1) for Lz in data["Lz"])
     least = least_distance(run, 20e-3 / run.variables["rows"])
     return {"reached": data["turns"][-1] / run.variables["turns"], "closest": least,
-            "clumped": least < PAIRED * left_by_jitter(run), "energy": max(abs(e / data["total_J"][0] - 1) for e in data["total_J"]),
-            "number": kept[-1], "off": max(map(abs, kept)) > TURN or spin > SPIN}
+            "clumped": not least >= PAIRED * left_by_jitter(run), "energy": drift(data["total_J"]),
+            "number": data["kinetic_J"][-1] / data["kinetic_J"][0] - 1,
+            "off": not drift(data["kinetic_J"]) <= TURN or not drift(data["Lz"]) <= SPIN}
 
 
 def turning(run, data):
@@ -127,11 +127,10 @@ def turning(run, data):
     half = len(data["t_s"]) // 2
     exact = data["exact_Pa"][-1]
     wrong = sum(data["stress_Pa"][half:]) / len(data["stress_Pa"][half:]) / exact - 1
-    spin = max(abs(Lz / data["Lz"][0] - 1) for Lz in data["Lz"])
     least = least_distance(run, 2 * 3.8e-3 / int(run.variables.get("across", 12)))
     return {"reached": data["turns"][-1] / float(run.variables.get("turns", 0.5)), "closest": least,
-            "clumped": least < PAIRED, "number": wrong,
-            "off": not abs(wrong) <= LOADED or not spin <= SPIN}
+            "clumped": not least >= PAIRED, "number": wrong,
+            "off": not abs(wrong) <= LOADED or not drift(data["Lz"]) <= SPIN}
 
 
 def growing(run, data):
@@ -168,7 +167,7 @@ def verdict_of(run, end, message):
         return LEFT
     if used_up(run):
         return SLOW
-    if end.get("energy", 0.0) > ENERGY_ERROR:
+    if not end.get("energy", 0.0) <= ENERGY_ERROR:
         return ENERGY
     if "has lost all its neighbors" in log_of(run):
         return TORN

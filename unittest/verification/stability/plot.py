@@ -4,10 +4,6 @@ import csv
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Patch
 
@@ -17,7 +13,7 @@ sys.path[:0] = [str(HERE), str(HERE.parents[2] / "examples")]
 
 import charts
 import growth
-from drawing import save
+from drawing import plt, save
 
 LEGEND = {    # verdict: colour, words; the same in every chart
     "survived": ("#66bb88", "survives"),

@@ -3,7 +3,7 @@
 import bodies
 import methods
 from catalogue import Chance, Figure, case, order, series
-from histories import crossings, drift, slope
+from histories import crossings, drift, largest, slope
 from running import columns, snapshots
 
 TITLE = "Vibrating beryllium plate"
@@ -91,8 +91,8 @@ def measure(case):
     # large: as the finite elements; small: a line through all crossings, since higher modes shift single ones
     found["period"] = (times[4] / 2 if scale == LARGE else 2 * slope(times)) / PERIOD[scale] - 1
     if scale == LARGE:
-        found["up"] = max(u for u, moment in zip(y, t) if moment < times[1]) / UP - 1
-        found["down"] = min(u for u, moment in zip(y, t) if moment < times[2]) / DOWN - 1
+        found["up"] = largest(u for u, moment in zip(y, t) if moment < times[1]) / UP - 1
+        found["down"] = -largest(-u for u, moment in zip(y, t) if moment < times[2]) / DOWN - 1
     return found
 
 
@@ -141,10 +141,11 @@ def draw(results, file):
 
 def shapes(figure, axes, case):
     """The first quarters of the period, one below the other."""
+    import drawing
     from matplotlib.colors import Normalize
     for k, (moment, shot) in enumerate(snapshots(case.dump)[1:5]):
         placed = {"x": shot["x"], "y": [y - 16e-3 * k for y in shot["y"]]}
-        bodies.particles(axes, placed, 10.0 / case.n, [s / 1e9 for s in shot["sxx"]], Normalize(-20, 20), "RdBu_r", 1e-3)
+        drawing.particles(axes, placed, 10.0 / case.n, [s / 1e9 for s in shot["sxx"]], Normalize(-20, 20), "RdBu_r")
         axes.text(-52, -1 - 16 * k, f"{moment * 1e6:.1f} us", fontsize=7)
     axes.set(xlim=(-54, 34), ylim=(-58, 11), xlabel="x (mm)", title="sxx (GPa), corrected viscosity, n = 20")
     axes.set_yticks([])

@@ -173,11 +173,12 @@ def profiles(axes, shots):
 
 def rim(figure, axes, shots, n):
     """Where the error is: one quarter of the disc."""
+    import drawing
     from matplotlib.colors import Normalize
     first, last = shots[0][1], shots[-1][1]
     scale = exact(0.0)[0]
     errors = [100 * math.sqrt(d) / scale for _, d, _ in deviations(first, last)]
-    bodies.particles(axes, first, 0.95 * 2e3 * RADIUS / n, errors, Normalize(0, 10), "magma_r", unit=1e-3)
+    drawing.particles(axes, first, 0.95 * 2e3 * RADIUS / n, errors, Normalize(0, 10), "magma_r")
     axes.set(xlim=(0, 10.6), ylim=(0, 10.6), xlabel="x (mm)", ylabel="y (mm)", title="error (% of the largest stress)")
     bodies.colour_bar(figure, axes)
 

@@ -5,7 +5,7 @@ import profiles
 import shock
 import stock
 from catalogue import Figure, overview, usual_cases
-from histories import drift
+from histories import drift, largest
 from running import at, columns
 
 TITLE = "Flying plate"
@@ -72,7 +72,7 @@ def measure(case):
         "rear": (place - REAR_SPEED * (t - 5e-6)) / REAR - 1, "rear_speed": speed - REAR_SPEED,
         "precursor": (precursor - FLYER - FIRST.speed * t) / (55e-3 / case.n),
         "peak": max(-s for s in early["sxx"]) / SECOND.stress - 1,
-        "momentum": max(abs(p / IMPULSE - 1) for p in data["momentum_Ns_m2"]),
+        "momentum": largest(abs(p / IMPULSE - 1) for p in data["momentum_Ns_m2"]),
         "energy": drift(data["total_J"]),
     }
 

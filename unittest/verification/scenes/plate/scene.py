@@ -4,7 +4,7 @@ import bodies
 import methods
 import stock
 from catalogue import Figure, case, order, series
-from histories import crossings, drift
+from histories import crossings, drift, largest
 from running import columns
 
 TITLE = "Oscillating plate"
@@ -71,7 +71,7 @@ def measure(case):
     exact = PERIOD[case.variables.get("clamp", "fixed")]
     y = [tip - data["tip_mm"][0] for tip in data["tip_mm"]]
     times = crossings(data["t_s"], y, 2)    # the first line is the start
-    found = {"tip": max(map(abs, y)), "total": drift(data["total_J"])}
+    found = {"tip": largest(map(abs, y)), "total": drift(data["total_J"])}
     found["period"] = times[1] / exact - 1 if len(times) > 1 else NONE
     if "elastic_J" in data:
         left = (data["kinetic_J"][-1] + data["elastic_J"][-1]) / data["kinetic_J"][0]

@@ -6,7 +6,7 @@ import bodies
 import methods
 import stock
 from catalogue import Chance, Figure, case, series
-from histories import drift
+from histories import close_pairs, closest, drift, largest
 from running import columns, snapshots
 
 TITLE = "Colliding rubber rings"
@@ -97,9 +97,9 @@ def measure(case):
     whole = [bodies.pieces({k: last[k][part] for k in ("x", "y")}, 1.6 * spacing)[0] / half
              for part in (slice(0, half), slice(half, None))]
     found = {"broken": 1 - min(whole), "nearest": min(data["apart_mm"]), "rebound": data["rate"][-1] / -data["rate"][0],
-             "joined": sum((i < half) != (j < half) for i, j, _ in bodies.close_pairs(last["x"], last["y"], 1.6 * spacing)),
-             "pair": bodies.closest(last, spacing), "total": drift(total),
-             "momentum": max(map(math.hypot, data["px"], data["py"])) / (total[0] / SPEED)}
+             "joined": sum((i < half) != (j < half) for i, j, _ in close_pairs(last["x"], last["y"], 1.6 * spacing)),
+             "pair": closest(last, spacing), "total": drift(total),
+             "momentum": largest(map(math.hypot, data["px"], data["py"])) / (total[0] / SPEED)}
     if "viscous_J" in data:
         found["heat"] = data["viscous_J"][-1] / total[0]
     return found
@@ -125,6 +125,7 @@ def misses(case):
 
 
 def draw(results, file):
+    import drawing
     import pictures
     from matplotlib.colors import Normalize
     figure, grid = pictures.plt.subplots(2, 4, figsize=(11, 4.4), layout="constrained", sharex=True, sharey=True)
@@ -134,7 +135,7 @@ def draw(results, file):
         for axes, k in zip(row, (1, 3, 5, 8)):
             moment, shot = shots[min(k, len(shots) - 1)]
             values = [v / 1e6 for v in shot["vonmises"]]
-            bodies.particles(axes, shot, 0.95e3 * WALL / shown.n, values, Normalize(0, 80), unit=1e-3)
+            drawing.particles(axes, shot, 0.95e3 * WALL / shown.n, values, Normalize(0, 80))
             axes.set(xlim=(-95, 95), ylim=(-75, 75), title=f"{moment * 1e3:.2f} ms")
         row[0].set_ylabel("bare" if "bare" in name else "artificial stress")
     figure.colorbar(grid[0, 0].collections[0], ax=grid, shrink=0.7, label="von Mises stress (MPa)")

@@ -6,7 +6,7 @@ import bodies
 import methods
 import stock
 from catalogue import Chance, Figure, case, series
-from histories import drift
+from histories import closest, drift, largest
 from running import columns, snapshots
 
 TITLE = "Spinning square"
@@ -73,11 +73,11 @@ def cannot(method):
 def measure(case):
     data = columns(case.csv)
     L, total, kinetic = data["Lz"], data["total_J"], data["kinetic_J"]
-    p = max(math.hypot(a, b) for a, b in zip(data["px"], data["py"]))
+    p = largest(map(math.hypot, data["px"], data["py"]))
     got = {"Lz": drift(L), "exact": L[-1] / INERTIA - 1,
-           "momentum": p / (DENSITY * SIDE**3 * OMEGA), "total": max(abs(e - total[0]) for e in total) / kinetic[0],
+           "momentum": p / (DENSITY * SIDE**3 * OMEGA), "total": largest(abs(e - total[0]) for e in total) / kinetic[0],
            "kinetic": mean(data, TURNS - 0.5, TURNS) / mean(data, 0.0, 0.5) - 1,
-           "closest": bodies.closest(snapshots(case.dump)[-1][1], SIDE / case.n)}
+           "closest": closest(snapshots(case.dump)[-1][1], SIDE / case.n)}
     if "viscous_J" in data:
         got["lost"] = (data["viscous_J"][-1] + data["hourglass_J"][-1]) / kinetic[0] / data["turns"][-1]
     return got
@@ -150,9 +150,11 @@ def draw(results, file):
 
 
 def body(figure, axes, case):
+    import drawing
     from matplotlib.colors import Normalize
     shot = snapshots(case.dump)[-1][1]
-    bodies.particles(axes, shot, 0.9 * SIDE / case.n, [p / 1e6 for p in shot["p"]], Normalize(-0.5, 0.5), "RdBu")
+    pressure = [p / 1e6 for p in shot["p"]]
+    drawing.particles(axes, shot, 0.9 * SIDE / case.n, pressure, Normalize(-0.5, 0.5), "RdBu", unit=1.0)
     axes.set(xlim=(-0.8, 0.8), ylim=(-0.8, 0.8), title=f"pressure (MPa), {case.method.frame},\n{case.method.title}, {TURNS} turns")
     bodies.colour_bar(figure, axes)
 

@@ -141,10 +141,11 @@ def draw(results, file):
 
 def cylinder(figure, axes, case):
     """Plastic strain at the end, and the lattice at the start."""
+    import drawing
     from matplotlib.colors import Normalize
     (_, first), (_, last) = snapshots(case.dump)[0], snapshots(case.dump)[-1]
     axes.plot([x * 1e3 for x in first["x"]], [y * 1e3 for y in first["y"]], ",", color="0.6")
-    bodies.particles(axes, last, 0.9 * 20.0 / case.n, last["epl"], Normalize(0, max(last["epl"])), unit=1e-3)
+    drawing.particles(axes, last, 0.9 * 20.0 / case.n, last["epl"], Normalize(0, max(last["epl"])))
     axes.set(xlim=(0, 101), ylim=(0, 101), xlabel="x (mm)", ylabel="y (mm)", title="plastic strain; grey: start")
     bodies.colour_bar(figure, axes)
 
