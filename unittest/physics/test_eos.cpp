@@ -64,6 +64,18 @@ TEST(Eos, PlanarShockInIron)
   expect_relative(P(iron, rho, 20000.0), 7850.0 * 3959.00930575842883 * 200.0, 1e-12);
 }
 
+// the same of a metal with S < 1, titanium: rho0 4528, U = 5220 + 0.767 u (Marsh 1980), driven at 100 m/s.  The cubic
+// is the expansion of the exact jump, and lies below it by (3 (S-1)^2 + 4 (S-1)^3) eta^3 of it in lowest order
+
+TEST(Eos, PlanarShockInTitanium)
+{
+  const double rho0 = 4528.0, u = 100.0, U = 5220.0 + 0.767 * u, s = -0.233;
+  const double eta = U / (U - u) - 1.0;
+  const double found = P(mie(rho0, 5220.0, 0.767, 1.09), rho0 * (1.0 + eta), 0.5 * u * u);
+  const double below = (3.0 * s * s + 4.0 * s * s * s) * eta * eta * eta;
+  EXPECT_NEAR((found / (rho0 * U * u) - 1.0) / -below, 1.0, 0.05);
+}
+
 // behind the plastic wave of an elastic-plastic piston, exact two-wave jump
 // conditions with a hypoelastic precursor
 
@@ -144,6 +156,54 @@ TEST(Eos, SoundSpeedIsSlopeOfIsentrope)
       const double c2 = (4.0 * difference(step) - difference(2.0 * step)) / 3.0;
       expect_relative(pressure(iron, rho, 7850.0, e).c2, c2, 1e-9);
     }
+}
+
+// the cubic curve with a constant Gamma bends over at strong compression: on the isentrope from rest, integrated
+// here from the printed equations, P has a maximum, beyond which c^2 is negative
+
+TEST(Eos, SoundSpeedEndsAtTheTopOfTheIsentrope)
+{
+  struct Case {
+    double S, Gamma, compression;
+  };
+  for (const Case &of : {Case{1.8, 1.8, 1.934}, Case{1.489, 2.0, 1.856}, Case{1.338, 2.0, 1.863}}) {
+    const double rho0 = 7850.0, C = 3600.0, a0 = rho0 * C * C, s = of.S - 1.0;
+    auto P_by_hand = [&](double rho, double e) {
+      const double eta = rho / rho0 - 1.0;
+      const double P_H =
+          a0 * (eta + (1.0 + 2.0 * s) * eta * eta + (2.0 * s + 3.0 * s * s) * eta * eta * eta);
+      return (1.0 - 0.5 * of.Gamma * eta) * P_H + of.Gamma * rho * e;
+    };
+    auto slope = [&](double rho, double e) {
+      return P_by_hand(rho, e) / (rho * rho);
+    };
+    // e on the isentrope, classical Runge-Kutta in steps of 0.0005
+    auto energy_at = [&](double compression) {
+      const int n = 2000;
+      const double d = (compression - 1.0) * rho0 / n;
+      double e = 0.0;
+      for (int k = 0; k < n; k++) {
+        const double rho = rho0 + k * d;
+        const double k1 = slope(rho, e), k2 = slope(rho + 0.5 * d, e + 0.5 * d * k1);
+        const double k3 = slope(rho + 0.5 * d, e + 0.5 * d * k2), k4 = slope(rho + d, e + d * k3);
+        e += d / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+      }
+      return e;
+    };
+    auto P_at = [&](double compression) {
+      return P_by_hand(compression * rho0, energy_at(compression));
+    };
+    const Material m = mie(rho0, C, of.S, of.Gamma);
+    for (double beyond : {-0.005, 0.005}) {
+      const double at = of.compression + beyond, rho = at * rho0, step = 1e-4;
+      const double c2 = (P_at(at + step) - P_at(at - step)) / (2.0 * step * rho0);
+      const bool ends = beyond > 0.0;
+      EXPECT_EQ((c2 < 0.0), ends) << of.S;    // the isentrope says so
+      const double found = pressure(m, rho, rho0, energy_at(at)).c2;
+      EXPECT_EQ((found < 0.0), ends) << of.S;
+      EXPECT_NEAR(found / c2, 1.0, 1e-4) << of.S;
+    }
+  }
 }
 
 // no jump of P or of its slope between compression and tension: both are

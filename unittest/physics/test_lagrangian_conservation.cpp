@@ -260,6 +260,57 @@ TEST(LagrangianCorners, RowsThatAreStretchedPullByTheirDefinition)
   }
 }
 
+// heating printed (SR 30) makes one standard heating too much, whatever the weights sum to, as long as
+// m_i w_ij is symmetric: the derivation in test_conservation.cpp has no frame
+
+TEST(LagrangianHeating, PrintedIsOneStandardTooMuch)
+{
+  for (int dim : {2, 3}) {
+    Cloud c = shaken(dim, 12);
+    c.opt.viscosity = Viscosity::NONE;
+    c.evaluate();
+    const double without = power(c);
+    c.opt.viscosity = Viscosity::MONAGHAN;
+    c.evaluate();
+    const double standard = without - power(c);
+    ASSERT_GT(standard, 0.0);
+    c.opt.viscosity = Viscosity::CORRECT;
+    c.opt.heating = Heating::PRINTED;
+    c.evaluate();
+    const double surplus = power(c) + sum(c.heat(c.v));
+    EXPECT_NEAR(surplus / standard, 1.0, 1e-11);
+  }
+}
+
+// heat can be found on the way only where it is the work of pair forces, half of it for either particle:
+// not for weights shepard or safe, nor for the printed heating, and there has to be an energy equation
+
+TEST(LagrangianHeating, IsKeptOnTheWayOfEvenPairsOnly)
+{
+  Cloud c = shaken(2, 13);
+  auto keeps = [&c](Viscosity viscosity) {
+    c.opt.viscosity = viscosity;
+    c.evaluate();
+    return c.sweeps->can_keep_heat();
+  };
+  for (Viscosity viscosity : VISCOSITIES) EXPECT_TRUE(keeps(viscosity)) << name_of(viscosity);
+  c.opt.weights = Weights::SHEPARD;
+  for (Viscosity viscosity : VISCOSITIES)    // weights are those of the correction
+    EXPECT_EQ(keeps(viscosity), viscosity != Viscosity::CORRECT) << name_of(viscosity);
+  c.opt.weights = Weights::SAFE;
+  EXPECT_FALSE(keeps(Viscosity::CORRECT));
+  c.opt.weights = Weights::CONSERVATIVE;
+  c.opt.heating = Heating::PRINTED;
+  EXPECT_FALSE(keeps(Viscosity::CORRECT));
+  c.opt.heating = Heating::COMPATIBLE;
+  EXPECT_TRUE(keeps(Viscosity::CORRECT));
+  c.opt.energy = false;
+  EXPECT_FALSE(keeps(Viscosity::MONAGHAN));
+  c.opt.energy = true;
+  c.opt.frame = Frame::EULERIAN;
+  EXPECT_FALSE(keeps(Viscosity::MONAGHAN));
+}
+
 INSTANTIATE_TEST_SUITE_P(Options, Lagrangian,
                          testing::Combine(testing::Values(2, 3), testing::ValuesIn(VISCOSITIES),
                                           testing::Bool()),

@@ -65,14 +65,43 @@ TEST(Viscosity, ConservativeWeightsTimesMassAreSymmetric)
   EXPECT_NEAR(m_i * w_ij, m_j * w_ji, 1e-15);
 }
 
-// a row never sums to more than one, else the viscosity would feed noise:
-// w_ij <= m_j Wbar_ij/n_i, and shepard weights are equal to it
+// w_ij = m_j Wbar_ij/max(n_i, n_j), and shepard weights divide by the n of i alone
 
-TEST(Viscosity, RowSumAtMostOne)
+TEST(Viscosity, WeightsByHand)
 {
   EXPECT_DOUBLE_EQ(correction_weight(Weights::CONSERVATIVE, 1.2, 3.0, 2.0), 0.4);
   EXPECT_DOUBLE_EQ(correction_weight(Weights::CONSERVATIVE, 1.2, 3.0, 4.0), 0.3);
   EXPECT_DOUBLE_EQ(correction_weight(Weights::SHEPARD, 1.2, 3.0, 4.0), 0.4);
+}
+
+// a row never sums to more than one, else the viscosity would feed noise.  On a square lattice of 6 x 6 with a
+// kernel that ends before two spacings, a along axes and d along diagonals, n is 4a + 4d in the bulk, 3a + 2d on
+// edges and 2a + d in corners: rows of shepard weights are one everywhere, conservative ones in the bulk only
+
+TEST(Viscosity, RowSumAtMostOne)
+{
+  constexpr int N = 6;
+  constexpr double a = 0.3, d = 0.1;
+  auto wbar = [](int i, int j) {
+    const int x = i % N - j % N, y = i / N - j / N, r2 = x * x + y * y;
+    return r2 == 1 ? a : r2 == 2 ? d : 0.0;
+  };
+  double n[N * N] = {};
+  for (int i = 0; i < N * N; i++)
+    for (int j = 0; j < N * N; j++) n[i] += wbar(i, j);
+  auto row = [&](Weights weights, int i) {
+    double sum = 0.0;
+    for (int j = 0; j < N * N; j++) sum += correction_weight(weights, wbar(i, j), n[i], n[j]);
+    return sum;
+  };
+  for (int i = 0; i < N * N; i++) {
+    EXPECT_LE(row(Weights::CONSERVATIVE, i), 1.0 + 1e-15);
+    EXPECT_NEAR(row(Weights::SHEPARD, i), 1.0, 1e-15);
+  }
+  const double edge = 3.0 * a + 2.0 * d, bulk = 4.0 * a + 4.0 * d;
+  EXPECT_NEAR(row(Weights::CONSERVATIVE, 2 + 2 * N), 1.0, 1e-15);
+  EXPECT_NEAR(row(Weights::CONSERVATIVE, 2), 2.0 * a / edge + (a + 2.0 * d) / bulk, 1e-15);
+  EXPECT_NEAR(row(Weights::CONSERVATIVE, 0), 2.0 * a / edge + d / bulk, 1e-15);
 }
 
 TEST(Viscosity, WeightsOfInversesAreTheSame)

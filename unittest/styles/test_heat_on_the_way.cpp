@@ -90,9 +90,26 @@ TEST_P(HeatOnTheWay, DoesNotSeeMasses)
   EXPECT_GT(viscous[1] + hourglass[1], 1.0e-4 * total[1]);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Viscosities, HeatOnTheWay,
-    testing::Values("viscosity none", "viscosity monaghan 1 1", "viscosity correct",
-                    "viscosity correct weights shepard", "viscosity correct weights safe",
-                    "viscosity correct heating printed", "viscosity limited 1 1", "viscosity front",
-                    "viscosity correct hourglass 0", "viscosity correct hbar 0.9"));
+// weights shepard and safe and the printed heating have a sweep of their own anyway (can_keep_heat() in
+// unittest/physics/test_lagrangian_conservation.cpp): two runs of them would be the same one
+INSTANTIATE_TEST_SUITE_P(Viscosities, HeatOnTheWay,
+                         testing::Values("viscosity none", "viscosity monaghan 1 1",
+                                         "viscosity correct", "viscosity limited 1 1",
+                                         "viscosity front", "viscosity correct hourglass 0",
+                                         "viscosity correct hbar 0.9"));
+
+class HeatOfASweep : public testing::TestWithParam<const char *> {};
+
+// nothing depends on the bystander
+TEST_P(HeatOfASweep, IsTheSameBesideAnotherFix)
+{
+  const Block b = heated(GetParam());
+  const Outcome alone = outcome(b, ""), beside = outcome(b, BYSTANDER);
+  EXPECT_EQ(largest_difference(alone.state, beside.state), 0.0);
+  EXPECT_EQ(alone.total, beside.total);
+}
+
+INSTANTIATE_TEST_SUITE_P(Weights, HeatOfASweep,
+                         testing::Values("viscosity correct weights shepard",
+                                         "viscosity correct weights safe",
+                                         "viscosity correct heating printed"));

@@ -120,9 +120,10 @@ TEST(Rotation, RevolutionWithCorrectedGradient)
   const Motion start = motion_of(s);
 
   const Drift drift = turn_once(s);
-  // measured: kinetic energy 1.7e-5, angular momentum 1.4e-8, total energy 2e-15, stress 0.39
-  EXPECT_LT(drift.kinetic, 1.0e-3);
-  EXPECT_LT(drift.angular, 1.0e-6);
+  // measured: kinetic energy 1.7e-5, angular momentum 1.4e-8, total energy 2e-15, stress 0.39.  Limits of five
+  // times the first two leave room for steps of slightly different lengths
+  EXPECT_LT(drift.kinetic, 8.5e-5);
+  EXPECT_LT(drift.angular, 7.0e-8);
   EXPECT_LT(drift.total, 1.0e-12);
 
   // the disc inside the square, of radius R = TIP/OMEGA/sqrt(2), has in its center (plane strain,
