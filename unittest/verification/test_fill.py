@@ -1,17 +1,14 @@
 #!/usr/bin/env python3
-"""doc/howto/fill.py: how many particles are inside of known bodies, and how much volume they share. Status 77: no numpy."""
+"""doc/howto/fill.py: how many particles are inside of known bodies, and how much volume they share. Status 77: no
+python3 with numpy, which fill.py needs."""
 
+import os
 import pathlib
 import re
 import struct
 import subprocess
 import sys
 import tempfile
-
-try:
-    import numpy    # of this python3, which fill.py needs
-except ImportError:
-    sys.exit(77)
 
 FILL = pathlib.Path(__file__).resolve().parents[2] / "doc/howto/fill.py"
 CORNERS = [(x, y, z) for x in (0, 2) for y in (0, 1) for z in (0, 1)]
@@ -31,11 +28,22 @@ def binary(triangles):
         struct.pack("<12fH", 0, 0, 0, *(c for corner in corners for c in corner), 0) for corners in triangles)
 
 
+def has_numpy(python):
+    try:
+        return subprocess.run([python, "-c", "import numpy"], stderr=subprocess.DEVNULL).returncode == 0
+    except OSError:
+        return False
+
+
+# the first one of the PATH may be another one than Debian's, without numpy (tools/packages.sh)
+PYTHON = next(filter(has_numpy, (os.environ.get("PYTHON", sys.executable), sys.executable, "/usr/bin/python3")), None)
+
+
 def filled(raw, spacing, *scale):
     with tempfile.TemporaryDirectory() as folder:
         surface, data = pathlib.Path(folder, "body.stl"), pathlib.Path(folder, "body.data")
         surface.write_bytes(raw)
-        subprocess.run([sys.executable, FILL, surface, str(spacing), data, *scale], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([PYTHON, FILL, surface, str(spacing), data, *scale], check=True, stdout=subprocess.DEVNULL)
         lines = data.read_text().split("Atoms # sph/solid\n\n")
         atoms = [[float(word) for word in line.split()] for line in lines[1].splitlines()]
         assert int(re.search(r"(\d+) atoms", lines[0])[1]) == len(atoms)
@@ -43,6 +51,8 @@ def filled(raw, spacing, *scale):
 
 
 def main():
+    if not PYTHON:
+        sys.exit(77)
     block = [[CORNERS[k] for k in triangle] for triangle in BLOCK]
     for form in (text, binary):
         for scale in ((), ("1e-3",)):
