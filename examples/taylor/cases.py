@@ -119,7 +119,9 @@ def all_cases():
         for h in SMOOTHING:
             for key in ("none", "0.2", "0.5", "1.0", "2.5", "correct"):
                 gated = {"gates": "eulerian", "known": KNOWN.get((wall, h), ()), "quick": h == 1.5} if key == "correct" else {}
-                yield eulerian(key, wall, h, "corrected", **gated)
+                # without viscosity its foot tears so that one in ten such rods stops, which rounding decides
+                torn = key == "none" and wall == "contact" and h == 1.3
+                yield eulerian(key, wall, h, "corrected", may_fail=torn, **gated)
     for key in ("none", "0.2", "0.5", "1.0", "2.5", "correct"):
         yield eulerian(key, "contact", 1.5, "plain")
     for key in ("0.5", "correct"):
