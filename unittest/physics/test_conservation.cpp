@@ -6,6 +6,7 @@
    1e-16 of their terms.
 ------------------------------------------------------------------------- */
 
+#include "spline_by_hand.h"
 #include "sums.h"
 
 #include <gtest/gtest.h>
@@ -210,20 +211,15 @@ TEST(Correction, UnbookedHeatIsNotInLedger)
 
 namespace {
 
-// M with the cubic spline written out, without the code's kernel
+// M without the code's kernel
 
 Matrix3d moment_by_hand(const Cloud &c, int i)
 {
-  const double h = c.opt.h;
   Matrix3d m = Matrix3d::Zero();
   for (int j = 0; j < c.size(); j++) {
     if (j == i) continue;
     const Vector3d d = c.x[j] - c.x[i];
-    const double q = d.norm() / h;
-    const double slope = q <= 1.0 ? 3.0 * q - 2.25 * q * q
-                                  : 0.75 * std::pow(std::fmax(2.0 - q, 0.0), 2);
-    m += c.mass[j] / c.rho[j] * 10.0 / (7.0 * M_PI * h * h * h) * slope / d.norm() * d *
-        d.transpose();
+    m += c.mass[j] / c.rho[j] * psi_by_hand(2, d.norm(), c.opt.h) * d * d.transpose();
   }
   return m;
 }

@@ -3,6 +3,7 @@
    viscosity at which wavelength, and what becomes of lonely particles.
 ------------------------------------------------------------------------- */
 
+#include "spline_by_hand.h"
 #include "sums.h"
 
 #include <gtest/gtest.h>
@@ -38,15 +39,7 @@ Mean mean(const std::vector<double> &all)
   return {s / n, std::sqrt((s2 / n - s * s / n / n) / (n - 1.0))};
 }
 
-// the cubic spline without its factor, of q
-
-double spline(double q)
-{
-  if (q <= 1.0) return 1.0 - 1.5 * q * q + 0.75 * q * q * q;
-  return q < 2.0 ? 0.25 * std::pow(2.0 - q, 3) : 0.0;
-}
-
-// Wbar of two particles, without that factor either: it is not in the weights
+// Wbar of two particles, without its factor, which is not in the weights
 
 double wbar(const Cloud &c, int i, int j)
 {
@@ -375,8 +368,7 @@ TEST(Damping, NoiseOnLattice)
     for (int y = -2; y <= 2; y++) {
       const double r2 = x * x + y * y, q = std::sqrt(r2) / h;
       if (r2 == 0.0 || q >= 2.0) continue;
-      const double slope = q <= 1.0 ? 3.0 * q - 2.25 * q * q : 0.75 * (2.0 - q) * (2.0 - q);
-      const double k_r2 = slope / q * r2 / (r2 + 0.01 * h * h);
+      const double k_r2 = spline_slope(q) / q * r2 / (r2 + 0.01 * h * h);
       all += k_r2;
       weighted += k_r2 * (r2 == 1.0 ? w.axis : r2 == 2.0 ? w.diagonal : 0.0);
     }

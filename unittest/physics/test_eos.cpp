@@ -42,6 +42,19 @@ double sound(const Material &m, double rho, double e)
   return std::sqrt(pressure(m, rho, m.rho0, e).c2);
 }
 
+// the change of e along the isentrope de = P/rho^2 drho from rho to rho + d: a step of the classical Runge-Kutta
+// method, with any P(rho, e)
+
+template <class Pressure> double isentropic_change(Pressure P_of, double rho, double e, double d)
+{
+  auto slope = [&](double at, double energy) {
+    return P_of(at, energy) / (at * at);
+  };
+  const double k1 = slope(rho, e), k2 = slope(rho + 0.5 * d, e + 0.5 * d * k1);
+  const double k3 = slope(rho + 0.5 * d, e + 0.5 * d * k2), k4 = slope(rho + d, e + d * k3);
+  return d / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+}
+
 void expect_relative(double value, double exact, double tolerance)
 {
   EXPECT_NEAR(value / exact, 1.0, tolerance);
@@ -134,21 +147,18 @@ TEST(Eos, SoundSpeedAtRest)
   expect_relative(sound(iron, 7850.0, 0.0), 3600.0, 1e-15);
 }
 
-// c^2 = dP/drho along de = P/rho^2 drho, by a central difference of points on
-// the isentrope (classical Runge-Kutta, one step to each side)
+// c^2 = dP/drho by a central difference of points on the isentrope, one step to each side
 
 TEST(Eos, SoundSpeedIsSlopeOfIsentrope)
 {
-  auto slope = [](double rho, double e) {
-    return P(iron, rho, e) / (rho * rho);
+  auto P_of_iron = [](double rho, double e) {
+    return P(iron, rho, e);
   };
   for (double compression : {0.8, 0.95, 0.999, 1.001, 1.05, 1.3})
     for (double e : {-5.0e4, 0.0, 2.0e4, 7.0e5}) {
       const double rho = 7850.0 * compression, step = 0.5;
       auto on_isentrope = [&](double d) {
-        const double k1 = slope(rho, e), k2 = slope(rho + 0.5 * d, e + 0.5 * d * k1);
-        const double k3 = slope(rho + 0.5 * d, e + 0.5 * d * k2), k4 = slope(rho + d, e + d * k3);
-        return P(iron, rho + d, e + d / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4));
+        return P(iron, rho + d, e + isentropic_change(P_of_iron, rho, e, d));
       };
       auto difference = [&](double d) {
         return (on_isentrope(d) - on_isentrope(-d)) / (2.0 * d);
@@ -174,20 +184,12 @@ TEST(Eos, SoundSpeedEndsAtTheTopOfTheIsentrope)
           a0 * (eta + (1.0 + 2.0 * s) * eta * eta + (2.0 * s + 3.0 * s * s) * eta * eta * eta);
       return (1.0 - 0.5 * of.Gamma * eta) * P_H + of.Gamma * rho * e;
     };
-    auto slope = [&](double rho, double e) {
-      return P_by_hand(rho, e) / (rho * rho);
-    };
-    // e on the isentrope, classical Runge-Kutta in steps of 0.0005
+    // e on the isentrope, in steps of 0.0005
     auto energy_at = [&](double compression) {
       const int n = 2000;
       const double d = (compression - 1.0) * rho0 / n;
       double e = 0.0;
-      for (int k = 0; k < n; k++) {
-        const double rho = rho0 + k * d;
-        const double k1 = slope(rho, e), k2 = slope(rho + 0.5 * d, e + 0.5 * d * k1);
-        const double k3 = slope(rho + 0.5 * d, e + 0.5 * d * k2), k4 = slope(rho + d, e + d * k3);
-        e += d / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-      }
+      for (int k = 0; k < n; k++) e += isentropic_change(P_by_hand, rho0 + k * d, e, d);
       return e;
     };
     auto P_at = [&](double compression) {

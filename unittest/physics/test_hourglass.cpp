@@ -6,6 +6,7 @@
 ------------------------------------------------------------------------- */
 
 #include "lagrangian_body.h"
+#include "spline_by_hand.h"
 
 #include <gtest/gtest.h>
 
@@ -51,14 +52,11 @@ double h_of(const Cloud &c, int i)
   return is_other(c, i) ? OTHER_H : H;
 }
 
-// -W'(r)/r of the cubic spline; partners end at q = 1.98
+// partners end at q = 1.98
 
 double psi(int dim, double r, double h)
 {
-  const double q = r / h;
-  const double beta = dim == 2 ? 10.0 / (7.0 * M_PI * h * h) : 1.0 / (M_PI * h * h * h);
-  const double slope = q <= 1.0 ? 3.0 * q - 2.25 * q * q : 0.75 * (2.0 - q) * (2.0 - q);
-  return q < 1.98 ? beta * slope / (h * r) : 0.0;
+  return r / h < 1.98 ? psi_by_hand(dim, r, h) : 0.0;
 }
 
 double psi(const Cloud &c, int i, int j)
