@@ -113,11 +113,13 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   Places places() const override { return {T, LAST, at_da}; }
 
   Slots slots;
-  // of own particles: B on and above the diagonal, F, sum V0_j g_ij
-  Rows B, F, gradient_sum;
+  // of own particles: B on and above the diagonal, sum V0_j g_ij
+  Rows B, gradient_sum;
   Rows uncorrected_force;    // of own: what the correction adds to p.f along with its own part
-  Rows damp;                 // of slots: hourglass force on i = V0_i damp x_ij
-  Rows pull;                 // the same for viscous forces, -V0_i pull x_ij, kept for heat
+  // of slots, the same from both sides: the hourglass force on i is V0_i V0_j/h0^(D+2) damp x_ij, the
+  // viscous one, kept for heat, -V0_i V0_j/h0^(D+2) pull x_ij.  In single precision, as are the
+  // forces that follow, so that their heat is theirs to rounding of doubles
+  SingleRows damp, pull;
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
   SharedVectors<double, LANES> near_weight;
@@ -181,13 +183,6 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
     return load(constants + Slots::FACTOR) * component(j, WEIGHT);
   }
   Pack factor(int slot, const double *j) const { return factor(slots.constants.of(slot), j); }
-  static Tensors load_tensors(const Rows &of, int block)
-  {
-    Tensors t;
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) t(a, b) = load(&of[((block * D + a) * D + b) * LANES]);
-    return t;
-  }
   double *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
   const double *correction_of(int block) const
   {
@@ -206,11 +201,6 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
       for (int b = a; b < D; b++, at += LANES) t(a, b) = t(b, a) = load(at);
     return t;
   }
-  static void store_tensors(Rows &of, int block, const Tensors &t)
-  {
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) store(&of[((block * D + a) * D + b) * LANES], t(a, b));
-  }
   // what the pairs of a block add up to; of the work of forces without factors of the particles
   struct PairWork {
     Pack viscous, corrected, hourglass;
@@ -225,7 +215,7 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   // what forces have kept of pairs for their work, null: nothing.  Where it lies is not read again
   // for each slot, which a compiler would do for members
   struct Kept {
-    const double *damping, *pulls;
+    const float *damping, *pulls;
     Pack drift;
   };
   Kept kept() const
@@ -269,6 +259,7 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   void find_weights();
   void safe_pulls(int block);
 
+  Tensors deformation(int block) const;
   double least_limit(const Particles &, const double *factors) const;
   Pack room_left(const Tensors &Fi, int block) const;
   Overload overload(int block) const;

@@ -38,6 +38,7 @@ inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double 
     const Pack x = WORK == Work::DUE ? d.x[a] - kept.drift * d.v[a] : d.x[a];
     along = multiply_add(d.v[a], x, along);
   }
+  along *= component(j, WEIGHT);
   if (kept.damping) work.hourglass = multiply_add(load(kept.damping + k), along, work.hourglass);
   if (kept.pulls)
     work.viscous =
@@ -150,6 +151,7 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
     difference(i, j, REFERENCE, reference);
     if (opt.hourglass > 0.0) central += load(&damp[k]);
     if (keeps_pairs()) central -= Base::whole_pull(i, j, LAST, load(&pull[k]));
+    central *= component(j, WEIGHT);
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++)

@@ -32,6 +32,30 @@ constexpr double LEAST_STRETCH = 0.01;
 // this: a Courant number of 0.6 is then still stable
 constexpr double STEP_STRETCH = 0.05;
 
+// F of a block's particles in the positions of the last evaluation.  It is asked for in few steps: summed anew
+// it costs less than its way to memory in each of them
+
+template <int D>
+typename LagrangianSweeps<D>::Tensors LagrangianSweeps<D>::deformation(int block) const
+{
+  const double *i = columns.at(block * LANES);
+  Neighbors neighbors(*this, block, T);
+  TensorSums<D> displacement;
+  for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
+    const double *j = neighbors(slot);
+    const Pack minus_F = -factor(slot, j);
+    Pack u[D], g[D];    // as accumulate() has them
+    difference(i, j, X, u);
+    difference(i, j, REFERENCE, g);
+    for (int a = 0; a < D; a++) {
+      u[a] -= g[a];
+      g[a] *= minus_F;
+    }
+    displacement.add(u, g);
+  }
+  return Tensors::Identity() + displacement.tensor() * load_correction(block);
+}
+
 /* ----------------------------------------------------------------------
    particles come closer with the least principal stretch, and so must the
    time step
@@ -71,7 +95,7 @@ double LagrangianSweeps<D>::least_limit(const Particles &p, const double *factor
     for (int block = first; block < end; block++) {
       const Batch batch(list, block * LANES);
       const double *i = columns.at(block * LANES);
-      const Tensors Fi = load_tensors(F, block);
+      const Tensors Fi = deformation(block);
       Pack unstretched =
           Base::step_limit(Base::smoothing_lengths(p, batch), Base::shear_moduli(p, batch),
                            batch.load(p.rho), component(i, SOUND), load(&mu_max[block * LANES]));
@@ -103,7 +127,7 @@ template <int D> Overload LagrangianSweeps<D>::find_overload() const
 
 template <int D> Overload LagrangianSweeps<D>::overload(int block) const
 {
-  const Tensors Fi = load_tensors(F, block);
+  const Tensors Fi = deformation(block);
   if (all_positive(room_left(Fi, block))) return {};
   for (int m = 0; m < particles_of(block); m++) {
     const Overload found = overload(of_lane<D>(Fi, m), block, m);

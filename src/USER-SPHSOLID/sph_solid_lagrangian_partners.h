@@ -478,7 +478,6 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
   }
   damp.clear();
   B.resize(static_cast<std::size_t>(end_of_own) * SYMMETRIC);
-  F.resize(static_cast<std::size_t>(end_of_own) * D * D);
   gradient_sum.assign(static_cast<std::size_t>(end_of_own) * D, 0.0);
   if (needs_correction()) uncorrected_force.assign(gradient_sum.size(), 0.0);
   if (this->limits_step) mu_max.assign(end_of_own, 0.0);
@@ -494,9 +493,9 @@ template <int D> int LagrangianSweeps<D>::neighbor_count(int i) const
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
   double bytes = columns.memory_usage() + slots.memory_usage() + near_weight.memory_usage();
-  for (const Rows *rows :
-       {&B, &F, &gradient_sum, &uncorrected_force, &damp, &pull, &near_pull, &mu_max, &early})
+  for (const Rows *rows : {&B, &gradient_sum, &uncorrected_force, &near_pull, &mu_max, &early})
     bytes += static_cast<double>(rows->capacity() * sizeof(double));
+  bytes += static_cast<double>((damp.capacity() + pull.capacity()) * sizeof(float));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }
 

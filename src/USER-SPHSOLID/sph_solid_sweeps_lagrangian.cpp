@@ -116,7 +116,6 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   const Tensors correction = load_correction(block);
   const Tensors Fi = Tensors::Identity() + sums.displacement * correction;
   const Tensors rate = sums.velocity * correction;
-  store_tensors(F, block, Fi);
   if (LATE) add_late_heat(p, block, batch, sums, totals);
 
   Tensors L = Tensors::Zero();
@@ -210,7 +209,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const double *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
-  double *damping = damp.data(), *pulls = pull.data();
+  float *damping = damp.data(), *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double minus_a1 = -0.25 * opt.a1, a2 = 0.5 * opt.a2;    // of the sums of both particles
   const int rho0 = at_rho;
@@ -232,7 +231,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     const double *j = neighbors(s);
     neighbors.template prefetch_ahead<at_rate + (RATES ? SYMMETRIC : 0)>(s, j);
     const float *constant = constants.of(s - first);
-    const Pack F = factor(constant, j);
+    const Pack kernel = load(constant + Slots::FACTOR), weight = component(j, WEIGHT),
+               F = kernel * weight;
     Pack X[D];
     difference(own_X, j, REFERENCE, X);
     each_index<D>([&](auto a) {
@@ -250,7 +250,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     if (HOURGLASS) impedances = own_impedance + component(j, IMPEDANCE);
     const Pack sums = HOURGLASS ? rhos * impedances : rhos;
     const Pack inverse = 1.0 / (UNLIKE ? r2 * sums : r2);
-    const Pack inv_r2 = UNLIKE ? inverse * sums : inverse, F_per_r2 = F * inv_r2;
+    const Pack inv_r2 = UNLIKE ? inverse * sums : inverse, per_r2 = kernel * inv_r2;
     Pack li = zero, lj = zero;    // their sum counts, and for some viscosities each of them
     if (BOTH) {
       li = stretching(i, at_rate, d.x);
@@ -261,8 +261,9 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       Pack impedance = impedances;
       if (UNLIKE) impedance = 4.0 * own_impedance * component(j, IMPEDANCE) * (inverse * r2 * rhos);
       const Pack rest = multiply_add(BOTH ? li + lj : li, Pack(-0.5), vr);
-      const Pack q = impedance * rest * F_per_r2;
-      store(damping + k, q);
+      const SinglePack kept = rounded(impedance * rest * per_r2);
+      store(damping + k, kept);
+      const Pack q = weight * widened(kept);
       hourglass_power = multiply_add(q, vr, hourglass_power);
       d.add_to(central, q);
     }
@@ -278,11 +279,14 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       const Pack linear = multiply_add(component(j, SOUND), Pack(minus_a1), own_linear);
       Pack Pi = rho * mu * multiply_add(mu, Pack(a2), linear);
       if (FORM == PairForm::SWITCHED) Pi *= on;
-      const Pack q = Pi * (dot<D>(X, X) * F_per_r2);    // V0_j Pi G
+      Pi *= dot<D>(X, X) * per_r2;
       if (keep) {
-        store(pulls + k, q);
-        viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
+        const SinglePack kept = rounded(Pi);
+        store(pulls + k, kept);
+        Pi = widened(kept);
       }
+      const Pack q = weight * Pi;    // V0_j Pi G
+      if (keep) viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
       if (alone) {
         const Pack whole = Base::whole_pull(i, j, LAST, q);
         d.add_to(central, -whole);
