@@ -121,7 +121,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     Room<int> near;               // slots with a nearest neighbor
     Room<float> near_kernel;      // of those: Wbar_ij h0^D
     Room<double> near_pull;       // weights safe: force on i = m_i/2 near_pull x_ij
-    Room<float> pull;             // viscous force on i = -m_i m_j/h0^(D+2) pull x_ij, kept for heat
+    Room<double> pull;            // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
     Room<double> crowd;           // with artificial stress: (W/W(spacing))^n
   } pairs;
   Rows mu_max;             // of own: largest approach rate, for a time step limit

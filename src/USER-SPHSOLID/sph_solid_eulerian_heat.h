@@ -65,9 +65,8 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
   const int *further = pairs.further.data() + first;
   const std::size_t first_pair = first * std::size_t(LANES);
   const float *factors = pairs.factor.data() + first_pair;
-  const float *pulls = pairs.pull.data() + first_pair;
-  const double *crowds = pairs.crowd.data() + first_pair;
-  Neighbors neighbors(*this, block, X, PULL ? MASS + 1 : V + D, K, PULL ? FIXED : K + 1);
+  const double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
+  Neighbors neighbors(*this, block, X, V + D, K, PULL ? FIXED : K + 1);
   neighbors.ask_ahead(further, count);
   const Components<D> own = Base::own_motion(i);
   TensorSums<D> moved, crowded;
@@ -85,8 +84,8 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
       crowded.add(d.v, g);
     }
     if (PULL)
-      pulled = multiply_add(Base::heated_pull(i, j, LAST, load(pulls + s * LANES)),
-                            component(j, MASS) * d.v_dot_x(), pulled);
+      pulled =
+          multiply_add(Base::heated_pull(i, j, LAST, load(pulls + s * LANES)), d.v_dot_x(), pulled);
   }
   Pack sum = moved.tensor().cwiseProduct(tensor(i, T)).sum();
   if (TENSILE) sum += crowded.tensor().cwiseProduct(tensor(i, at_tension)).sum();
@@ -134,8 +133,7 @@ typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Partic
     const Components<D> d = motion(i, j);
     const Pack KF = own_K * component(j, K) * load(&pairs.factor[k]);
     Pack f[D], central = 0.0;
-    if (keeps_pairs())
-      central = mass * component(j, MASS) * Base::whole_pull(i, j, LAST, load(&pairs.pull[k]));
+    if (keeps_pairs()) central = mass * Base::whole_pull(i, j, LAST, load(&pairs.pull[k]));
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++) {

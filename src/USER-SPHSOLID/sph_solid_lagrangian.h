@@ -62,7 +62,8 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
       ColumnSweeps<D>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
-      at_along(safe() ? X : at_da), at_rho(at_da + (needs_correction() ? D : 0))
+      at_along(safe() ? X : at_da), at_rho(at_da + (needs_correction() ? D : 0)),
+      damping_unit(largest_modulus(t))
   {
   }
 
@@ -98,9 +99,9 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
 
   // components of a column behind positions and velocities: positions in the reference,
   // V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
-  // hourglass/2 rho c_L h, bulk sound speed, density that viscosity sees, n of the correction or
-  // the switch of a viscosity; then, if a scene needs them, the rate of deformation, the viscous
-  // acceleration and, where materials are unlike, the density in the reference
+  // hourglass/2 rho c_L h/damping_unit, bulk sound speed, density that viscosity sees, n of the
+  // correction or the switch of a viscosity; then, if a scene needs them, the rate of deformation,
+  // the viscous acceleration and, where materials are unlike, the density in the reference
   static constexpr int REFERENCE = 2 * D, WEIGHT = 3 * D, T = WEIGHT + 1, IMPEDANCE = T + D * D,
                        SOUND = IMPEDANCE + 1, DENSITY = SOUND + 1, LAST = DENSITY + 1,
                        FIXED = LAST + 1;
@@ -116,10 +117,12 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   // of own particles: B on and above the diagonal, sum V0_j g_ij
   Rows B, gradient_sum;
   Rows uncorrected_force;    // of own: what the correction adds to p.f along with its own part
-  // of slots, the same from both sides: the hourglass force on i is V0_i V0_j/h0^(D+2) damp x_ij, the
-  // viscous one, kept for heat, -V0_i V0_j/h0^(D+2) pull x_ij.  In single precision, as are the
-  // forces that follow, so that their heat is theirs to rounding of doubles
-  SingleRows damp, pull;
+  // of slots: the hourglass force on i is damping_unit V0_i V0_j/h0^(D+2) damp x_ij.  damp, the same
+  // from both sides and in any units, is rounded to single precision before it is a force, so that
+  // its heat is that of the force
+  SingleRows damp;
+  const double damping_unit;    // [pressure] the largest modulus of all materials
+  Rows pull;                    // of slots: viscous force on i = -V0_i pull x_ij, kept for heat
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
   SharedVectors<double, LANES> near_weight;
@@ -130,6 +133,14 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   bool weights_known = false;
   int nuncorrected = 0;    // particles with partners and B = 1
   std::mutex mutex;        // of shared vectors, and of that number
+
+  static double largest_modulus(const std::vector<TypeData> &types)
+  {
+    double most = 0.0;
+    for (const TypeData &type : types)
+      if (type.h > 0.0) most = std::max(most, type.material.longitudinal_modulus());
+    return most;
+  }
 
   // what is constant between two neighbor lists
   void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,
@@ -215,7 +226,8 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   // what forces have kept of pairs for their work, null: nothing.  Where it lies is not read again
   // for each slot, which a compiler would do for members
   struct Kept {
-    const float *damping, *pulls;
+    const float *damping;
+    const double *pulls;
     Pack drift;
   };
   Kept kept() const

@@ -38,8 +38,9 @@ inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double 
     const Pack x = WORK == Work::DUE ? d.x[a] - kept.drift * d.v[a] : d.x[a];
     along = multiply_add(d.v[a], x, along);
   }
-  along *= component(j, WEIGHT);
-  if (kept.damping) work.hourglass = multiply_add(load(kept.damping + k), along, work.hourglass);
+  if (kept.damping)
+    work.hourglass =
+        multiply_add(component(j, WEIGHT) * load(kept.damping + k), along, work.hourglass);
   if (kept.pulls)
     work.viscous =
         multiply_add(Base::heated_pull(i, j, LAST, load(kept.pulls + k)), along, work.viscous);
@@ -81,7 +82,7 @@ typename LagrangianSweeps<D>::Power LagrangianSweeps<D>::power(int block, Pack m
 {
   const Tensors sigma_C = tensor(columns.at(block * LANES), T);
   return {V0 * sums.velocity.cwiseProduct(sigma_C).sum(), 0.5 * V0 * sums.work.viscous,
-          -0.25 * mass * sums.work.corrected, -0.5 * V0 * sums.work.hourglass};
+          -0.25 * mass * sums.work.corrected, (-0.5 * damping_unit) * V0 * sums.work.hourglass};
 }
 
 template <int D>
@@ -149,9 +150,8 @@ LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &ba
     const Components<D> d = motion(i, j);
     Pack reference[D], f[D], central = 0.0;
     difference(i, j, REFERENCE, reference);
-    if (opt.hourglass > 0.0) central += load(&damp[k]);
+    if (opt.hourglass > 0.0) central += damping_unit * component(j, WEIGHT) * load(&damp[k]);
     if (keeps_pairs()) central -= Base::whole_pull(i, j, LAST, load(&pull[k]));
-    central *= component(j, WEIGHT);
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++)

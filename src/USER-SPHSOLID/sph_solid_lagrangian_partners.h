@@ -493,9 +493,10 @@ template <int D> int LagrangianSweeps<D>::neighbor_count(int i) const
 template <int D> double LagrangianSweeps<D>::memory_usage() const
 {
   double bytes = columns.memory_usage() + slots.memory_usage() + near_weight.memory_usage();
-  for (const Rows *rows : {&B, &gradient_sum, &uncorrected_force, &near_pull, &mu_max, &early})
+  for (const Rows *rows :
+       {&B, &gradient_sum, &uncorrected_force, &pull, &near_pull, &mu_max, &early})
     bytes += static_cast<double>(rows->capacity() * sizeof(double));
-  bytes += static_cast<double>((damp.capacity() + pull.capacity()) * sizeof(float));
+  bytes += static_cast<double>(damp.capacity() * sizeof(float));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }
 

@@ -331,10 +331,9 @@ typename EulerianSweeps<D>::PairForces EulerianSweeps<D>::sum_pairs(int block)
   Neighbors neighbors(*this, block, 0, at_da, at_h, components());
   neighbors.ask_ahead(further, count);
   const float *factors = pairs.factor.data() + first_pair;
-  float *pulls = pairs.pull.data() + first_pair;
-  double *crowds = pairs.crowd.data() + first_pair;
+  double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely,
-             limits = this->limits_step, besides = alone || limits;
+             limits = this->limits_step, besides = keep || alone || limits;
   // of viscosity what is a constant where h is
   const double minus_a1 = -opt.a1 * (UNIFORM ? common_h : 1.0),
                twice_a2 = 2.0 * opt.a2 * (UNIFORM ? common_h * common_h : 1.0);
@@ -383,15 +382,10 @@ typename EulerianSweeps<D>::PairForces EulerianSweeps<D>::sum_pairs(int block)
     if (!UNIFORM) linear *= h;
     const PairViscosity<Pack> viscosity(linear, UNIFORM ? Pack(twice_a2) : twice_a2 * h2,
                                         rho + component(j, RHO), vr, softened);
-    Pack pull = F * viscosity.Pi;    // the same from both sides
-    if (FORM == PairForm::SWITCHED) pull *= on;
-    if (keep) {
-      const SinglePack kept = rounded(pull);
-      store(pulls + k, kept);
-      pull = widened(kept);    // so that its heat is that of the force
-    }
-    Pack q = component(j, MASS) * pull;
+    Pack q = component(j, MASS) * F * viscosity.Pi;
+    if (FORM == PairForm::SWITCHED) q *= on;
     if (besides) {
+      if (keep) store(pulls + k, q);    // m_j Pi_ij F_ij h0^(D+2)
       if (alone) {
         const Pack left = Base::whole_pull(i, j, LAST, q);
         d.add_to(whole, left);

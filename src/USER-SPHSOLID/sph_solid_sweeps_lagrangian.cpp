@@ -136,7 +136,7 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   columns.store(column, SOUND, c);
   if (opt.hourglass > 0.0) {
     const Pack c_l = Base::longitudinal_speed(c, Base::shear_moduli(p, batch), points.inv_rho);
-    columns.store(column, IMPEDANCE, (0.5 * opt.hourglass) * (rho * h * c_l));
+    columns.store(column, IMPEDANCE, (0.5 * opt.hourglass / damping_unit) * (rho * h * c_l));
   }
   const bool switched = needs_switch(pair_form(opt.viscosity));
   if (keeps_rates() || switched) {
@@ -209,7 +209,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   const double *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
-  float *damping = damp.data(), *pulls = pull.data();
+  float *damping = damp.data();
+  double *pulls = pull.data();
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double minus_a1 = -0.25 * opt.a1, a2 = 0.5 * opt.a2;    // of the sums of both particles
   const int rho0 = at_rho;
@@ -279,17 +280,14 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
       const Pack linear = multiply_add(component(j, SOUND), Pack(minus_a1), own_linear);
       Pack Pi = rho * mu * multiply_add(mu, Pack(a2), linear);
       if (FORM == PairForm::SWITCHED) Pi *= on;
-      Pi *= dot<D>(X, X) * per_r2;
+      const Pack q = Pi * (dot<D>(X, X) * (weight * per_r2));    // V0_j Pi G
       if (keep) {
-        const SinglePack kept = rounded(Pi);
-        store(pulls + k, kept);
-        Pi = widened(kept);
+        store(pulls + k, q);
+        viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
       }
-      const Pack q = weight * Pi;    // V0_j Pi G
-      if (keep) viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
       if (alone) {
         const Pack whole = Base::whole_pull(i, j, LAST, q);
-        d.add_to(central, -whole);
+        d.add_to(central, (-1.0 / damping_unit) * whole);
         d.add_to(replaced, q - whole);
       } else
         d.add_to(replaced, q);
@@ -305,7 +303,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     force[a] = stress[a];
     for (int b = 0; b < D; b++)
       force[a] = multiply_add(component(i, T + D * a + b), load(own_sum + b * LANES), force[a]);
-    force[a] += central[a];
+    force[a] = multiply_add(damping_unit, central[a], force[a]);
     if (VISCOUS && !correct) force[a] -= replaced[a];
     force[a] *= V0;
   });
@@ -323,7 +321,8 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
   columns.copy_to_rows(block * LANES, at_da, columns.components());
   if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
   if (!this->keeps_heat) return;
-  const Pack viscous_heat = 0.5 * V0 * viscous_power, hourglass_heat = -0.5 * V0 * hourglass_power;
+  const Pack viscous_heat = 0.5 * V0 * viscous_power,
+             hourglass_heat = (-0.5 * damping_unit) * V0 * hourglass_power;
   store(&early[block * LANES], load(&early[block * LANES]) + viscous_heat + hourglass_heat);
   const double viscous = Base::sum_of_first(viscous_heat, batch.n);
   totals.viscous += viscous;
