@@ -422,14 +422,8 @@ void FixSPHSolid::add_to_moved(int first, int end, double **to, double *const *f
 
 void FixSPHSolid::add_heat()
 {
-  double *e = atom->esph, *energy = own->esph_half;
-  const double *mass = atom->rmass, dt1 = dt_pending, dt2 = update->dt;
-  const int nlocal = atom->nlocal;
-  pair->pair_heat(0.5 * (dt1 + dt2), 0.125 * (dt2 * dt2 - dt1 * dt1), energy, true);
-  SPHSolid::each_share(comm->nthreads, nlocal, [&](int first, int end) {
-    for (int i = first; i < end; i++)
-      if (pair->has_material(i)) e[i] += energy[i] / mass[i];
-  });
+  const double dt1 = dt_pending, dt2 = update->dt;
+  pair->pair_heat(0.5 * (dt1 + dt2), 0.125 * (dt2 * dt2 - dt1 * dt1), nullptr);
 }
 
 void FixSPHSolid::pending_heat(double *out) const
@@ -443,7 +437,7 @@ void FixSPHSolid::pending_heat(double *out) const
   if (caught_up || dt_pending == 0.0 || !pair->has_energy()) return;
   pair->require_current("The internal energy of sph/solid");
   pair->keep_half_step();
-  pair->pair_heat(0.5 * dt_pending, -0.125 * dt_pending * dt_pending, out, false);
+  pair->pair_heat(0.5 * dt_pending, -0.125 * dt_pending * dt_pending, out);
 }
 
 /* ----------------------------------------------------------------------

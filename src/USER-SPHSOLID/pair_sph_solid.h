@@ -61,8 +61,8 @@ class PairSPHSolid : public Pair {
   // for the fixes and computes of this package; all refer to the last force evaluation
 
   // heat[i] = energy the pair forces give to own atom i while all atoms move by
-  // v_scale*v + a_scale*f/m; book: count it in the energy ledger
-  void pair_heat(double v_scale, double a_scale, double *heat, bool book);
+  // v_scale*v + a_scale*f/m; heat null: add it to their energies and to the energy ledger
+  void pair_heat(double v_scale, double a_scale, double *heat);
 
   // the same, found on the way where the frame can (sph_solid_sweeps.h): keep_heat() before a
   // run says whether it can; leave_heat() before the kick leaves it to the next evaluation;

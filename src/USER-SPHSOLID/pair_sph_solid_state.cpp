@@ -66,13 +66,13 @@ PairSPHSolid *PairSPHSolid::find_ready(LAMMPS *lmp, const char *caller)
   return pair;
 }
 
-void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat, bool book)
+void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat)
 {
   const Particles p = particles();
   sweeps->displace(p, Kick{v_scale, a_scale, atom->mask, kicked});
   displacement_time = v_scale;
   forward(Message::DISPLACEMENT);
-  sweeps->heat(p, rows(), heat, book);
+  sweeps->heat(p, rows(), heat);
 }
 
 bool PairSPHSolid::keep_heat(bool wanted)

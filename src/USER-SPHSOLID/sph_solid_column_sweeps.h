@@ -347,6 +347,14 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     return safe_pull(dot<D>(a, d.x), d.v_dot_x(), d.x_dot_x());
   }
   Pack standard_power(const double *i, Pack mass) const;
+  // what heat() does with the energy of a block
+  static void give_heat(const Particles &p, const Batch &batch, double *heat, Pack energy)
+  {
+    if (heat)
+      batch.store(heat, energy);
+    else
+      batch.store(p.e, batch.load(p.e) + energy / batch.load(p.mass));
+  }
 
   // of a block the sum of f_ij (x) x_ij
   virtual Tensors block_virial(const Particles &, int block, const Batch &) const = 0;

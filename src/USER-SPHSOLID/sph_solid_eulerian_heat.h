@@ -28,7 +28,7 @@ namespace {
 ------------------------------------------------------------------------- */
 
 template <int D>
-void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat, bool book)
+void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat)
 {
   this->mirror_vectors(V);
   Totals totals;
@@ -45,11 +45,11 @@ void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *h
         t.standard += Base::sum_of_first(viscous + standard, batch.n);
         if (needs_correction()) viscous -= 0.25 * mass * corrected_power(block);
         t.viscous += Base::sum_of_first(viscous, batch.n);
-        batch.store(heat, stress + viscous);
+        this->give_heat(p, batch, heat, stress + viscous);
       });
     });
   });
-  if (book) Base::enter(totals, 1.0);
+  if (!heat) Base::enter(totals, 1.0);
 }
 
 // what the forces of pairs give to i while particles move by u.  Stress: K_i T_i : sum_j

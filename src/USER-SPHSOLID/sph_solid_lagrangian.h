@@ -74,7 +74,7 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   void find_switch(const Particles &, const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
   void correction(const Particles &, const NeighborRows &) override;
-  void heat(const Particles &, const NeighborRows &, double *, bool) override;
+  void heat(const Particles &, const NeighborRows &, double *) override;
   bool can_keep_heat() const override;
   void add_due_heat(const Particles &, const NeighborRows &) override;
   void elastic_stress(const Particles &) override;

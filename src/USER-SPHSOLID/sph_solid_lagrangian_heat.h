@@ -114,7 +114,7 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Bat
 ------------------------------------------------------------------------- */
 
 template <int D>
-void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat, bool book)
+void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat)
 {
   mirror_vectors(V);
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
@@ -122,10 +122,9 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
     const Pack mass = batch.load(p.mass);
     const Power of_block = power(block, mass, batch.load(p.vref), sums);
     enter_block(block, mass, batch.n, of_block, t);
-    const Pack all = of_block.sum();
-    batch.store(heat, all);
+    this->give_heat(p, batch, heat, of_block.sum());
   });
-  if (!book) return;
+  if (heat) return;
   Base::enter(totals, 1.0);
   early_totals = {};    // of the same forces
 }

@@ -205,9 +205,10 @@ class Sweeps {
   virtual bool needs_correction() const = 0;
   virtual void correction(const Particles &, const NeighborRows &) = 0;
 
-  // heat[i] = energy the pair forces give to particle i while every particle
-  // moves by its displacement, of own and ghosts set by displace() or unpack()
-  virtual void heat(const Particles &, const NeighborRows &, double *heat, bool book) = 0;
+  // the energy the pair forces give to particles while every particle moves by its displacement, of
+  // own and ghosts set by displace() or unpack(): heat[i] of particle i or, with heat null,
+  // added to p.e and to the ledger
+  virtual void heat(const Particles &, const NeighborRows &, double *heat) = 0;
 
   virtual bool can_keep_heat() const { return false; }
   // the share that the next gradient sweep would add, to the same bits: before rows change

@@ -243,14 +243,14 @@ class Cloud {
   void forget_forces() { std::fill(force.begin(), force.end(), 0.0); }
 
   // energy per time given to each particle while all move with u
-  std::vector<double> heat(const std::vector<Vector3d> &u, bool book = false)
+  std::vector<double> heat(const std::vector<Vector3d> &u)
   {
-    for (int i = 0; i < size(); i++) set(Message::DISPLACEMENT, i, u[i]);
-    send(Message::DISPLACEMENT);
     std::vector<double> out(size(), 0.0);
-    sweeps->heat(particles(), rows, out.data(), book);
+    give_heat(u, out.data());
     return out;
   }
+  // the same added to their energies and to the ledger
+  void add_heat(const std::vector<Vector3d> &u) { give_heat(u, nullptr); }
 
   Vector3d f(int i) const { return {force[3 * i], force[3 * i + 1], force[3 * i + 2]}; }
 
@@ -315,6 +315,13 @@ class Cloud {
   std::vector<int *> firstneigh;
   std::vector<std::vector<int>> lists;
   NeighborRows rows;
+
+  void give_heat(const std::vector<Vector3d> &u, double *out)
+  {
+    for (int i = 0; i < size(); i++) set(Message::DISPLACEMENT, i, u[i]);
+    send(Message::DISPLACEMENT);
+    sweeps->heat(particles(), rows, out);
+  }
 
   double largest_h() const { return std::max(opt.h, other_h); }
   bool lagrangian() const { return opt.frame == Frame::LAGRANGIAN; }

@@ -181,12 +181,14 @@ inline double viscous_force(Cloud &c)
   return largest_difference(with, forces(c));
 }
 
-// the same heat by the ledger
+// the same heat by the ledger, without its effect on the pressure
 
 inline const Ledger &booked_heat(Cloud &c)
 {
+  const std::vector<double> e = c.e;
   c.evaluate();
-  c.heat(c.v, true);
+  c.add_heat(c.v);
+  c.e = e;
   return c.sweeps->ledger;
 }
 

@@ -200,9 +200,28 @@ TEST(Correction, UnbookedHeatIsNotInLedger)
 {
   Cloud c = random_cloud(2);
   c.evaluate();
-  c.heat(c.v, false);
+  c.heat(c.v);
   EXPECT_EQ(c.sweeps->ledger.viscous_heat, 0.0);
   EXPECT_EQ(c.sweeps->ledger.returned, 0.0);
+}
+
+// what is booked is what the energies of particles rise by
+
+TEST(Correction, HeatBecomesEnergyOfParticles)
+{
+  for (const Frame frame : {Frame::EULERIAN, Frame::LAGRANGIAN})
+    for (int dim : {2, 3}) {
+      Cloud c = random_cloud(dim);
+      c.opt.frame = frame;
+      c.refer();
+      c.evaluate();
+      const std::vector<double> heat = c.heat(c.v), before = c.e;
+      c.add_heat(c.v);
+      for (int i = 0; i < c.size(); i++)
+        EXPECT_NEAR(c.e[i] - before[i], heat[i] / c.mass[i],
+                    1e-13 * std::abs(heat[i] / c.mass[i]) + 1e-15);
+      EXPECT_NE(c.sweeps->ledger.viscous_heat, 0.0);
+    }
 }
 
 /* ----------------------------------------------------------------------
