@@ -312,8 +312,8 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   // particle itself becomes heat (exact in total, not Galilean invariant);
   // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
   // safe: half the work of each central pair force, none of it negative for u = v.
-  // Of a pair -4/m_i of it, without w_ij; along: what its force is along
-  struct CorrectionHeat {
+  // Of a pair -4/m_i of it, without w_ij; along: what its force is along.  EVENLY: for heats_evenly()
+  template <bool EVENLY> struct CorrectionHeat {
     const int at;
     Pack own_moved[D], own_force[D], minus_moved, minus_force;
     CorrectionHeat(const ColumnSweeps &s, const double *i, int along) : at(along)
@@ -331,9 +331,12 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     {
       Pack sum = 0.0;
       each_index<D>([&](auto a) {
-        const Pack moved = multiply_add(minus_moved, component(j, V + a), own_moved[a]),
-                   force = multiply_add(minus_force, component(j, at + a), own_force[a]);
-        sum = multiply_add(moved, force, sum);
+        const Pack moved = component(j, V + a), force = component(j, at + a);
+        if (EVENLY)
+          sum = multiply_add(own_moved[a] - moved, own_force[a] - force, sum);
+        else
+          sum = multiply_add(multiply_add(minus_moved, moved, own_moved[a]),
+                             multiply_add(minus_force, force, own_force[a]), sum);
       });
       return sum;
     }

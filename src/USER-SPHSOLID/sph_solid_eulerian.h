@@ -217,8 +217,8 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   // correction: what the force of a pair of nearest neighbors is along
   int along() const { return safe() ? X : at_da; }
   // and what it is times m_i/2, of a block.  Where that lies is not read again for each pair, which a
-  // compiler would do for members
-  class NearFactors {
+  // compiler would do for members.  CONSERVATIVE: for these weights, others are known by the option
+  template <bool CONSERVATIVE> class NearFactors {
    public:
     NearFactors(const EulerianSweeps &s, const Nearest &near, const double *i) :
         kernels(s.pairs.near_kernel.data() + near.pair),
@@ -229,12 +229,13 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     // of the nth of them
     [[gnu::always_inline]] Pack operator()(int n, const double *j) const
     {
-      return pulls ? load(pulls + n * LANES) : weight(n, j);
+      return !CONSERVATIVE && pulls ? load(pulls + n * LANES) : weight(n, j);
     }
     [[gnu::always_inline]] Pack weight(int n, const double *j) const
     {
-      return correction_weight_of_inverse(weights, component(j, MASS) * load(kernels + n * LANES),
-                                          own, component(j, LAST));
+      return correction_weight_of_inverse(CONSERVATIVE ? Weights::CONSERVATIVE : weights,
+                                          component(j, MASS) * load(kernels + n * LANES), own,
+                                          component(j, LAST));
     }
 
    private:
@@ -243,11 +244,12 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
     const Weights weights;
     const Pack own;    // 1/n
   };
+  template <bool CONSERVATIVE> void correct_block(const Particles &, int block, const Batch &);
   void safe_pulls(int block);
 
   // heat
   template <bool PULL, bool TENSILE> void add_power(int block, Pack &stress, Pack &viscous) const;
-  Pack corrected_power(int block) const;
+  template <bool EVENLY> Pack corrected_power(int block) const;
   Tensors block_virial(const Particles &, int block, const Batch &) const override;
 };
 

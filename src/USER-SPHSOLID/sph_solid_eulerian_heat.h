@@ -43,7 +43,10 @@ void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *h
         // that no correction touches
         const Pack standard = Base::standard_power(columns.at(block * LANES), mass);
         t.standard += Base::sum_of_first(viscous + standard, batch.n);
-        if (needs_correction()) viscous -= 0.25 * mass * corrected_power(block);
+        if (needs_correction())
+          with_flag(Base::heats_evenly(), [&](auto evenly) {
+            viscous -= 0.25 * mass * corrected_power<decltype(evenly)::value>(block);
+          });
         t.viscous += Base::sum_of_first(viscous, batch.n);
         this->give_heat(p, batch, heat, stress + viscous);
       });
@@ -95,15 +98,15 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
 
 // of a block -4/m_i of what the correction heats
 
-template <int D> Pack EulerianSweeps<D>::corrected_power(int block) const
+template <int D> template <bool EVENLY> Pack EulerianSweeps<D>::corrected_power(int block) const
 {
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   const int *further = pairs.further.data();
   neighbors.ask_ahead(further, near);
-  const NearFactors factor(*this, near, i);
-  const typename Base::CorrectionHeat heat(*this, i, along());
+  const NearFactors<EVENLY> factor(*this, near, i);
+  const typename Base::template CorrectionHeat<EVENLY> heat(*this, i, along());
   Pack power = 0.0;
   for (int n = 0; n < near.count; n++) {
     const double *j = neighbors(further[near.slot[n]]);
@@ -122,7 +125,7 @@ typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Partic
 {
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
-  const NearFactors factor(*this, near, i);
+  const NearFactors<false> factor(*this, near, i);
   const Pack mass = batch.load(p.mass), own_K = component(i, K);
   TensorSums<D> sum;
   Neighbors neighbors(*this, block, X, components());

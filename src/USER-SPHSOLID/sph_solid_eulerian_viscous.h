@@ -46,29 +46,38 @@ template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const N
 template <int D> void EulerianSweeps<D>::correction(const Particles &p, const NeighborRows &)
 {
   this->mirror_vectors(at_da);
-  each_block([&](int block, const Batch &batch, Totals &) {
-    if (safe()) safe_pulls(block);
-    const std::ptrdiff_t at = along() * std::ptrdiff_t(NEXT);
-    const double *i = columns.at(block * LANES);
-    const Nearest near = nearest(block);
-    Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
-    const int *further = pairs.further.data();
-    neighbors.ask_ahead(further, near);
-    const NearFactors factor(*this, near, i);
-    Pack own_along[D], f[D];
-    for (int a = 0; a < D; a++) {
-      own_along[a] = component(i + at, a);
-      f[a] = 0.0;
-    }
-    for (int n = 0; n < near.count; n++) {
-      const double *j = neighbors(further[near.slot[n]]);
-      const Pack w = factor(n, j);
-      for (int a = 0; a < D; a++) f[a] = multiply_add(w, own_along[a] - component(j + at, a), f[a]);
-    }
-    const Pack half_mass = 0.5 * batch.load(p.mass);
-    for (int a = 0; a < D; a++) f[a] *= half_mass;
-    this->add_forces(p, batch, f);
+  with_flag(opt.weights == Weights::CONSERVATIVE, [&](auto conservative) {
+    each_block([&](int block, const Batch &batch, Totals &) {
+      if (safe()) safe_pulls(block);
+      correct_block<decltype(conservative)::value>(p, block, batch);
+    });
   });
+}
+
+template <int D>
+template <bool CONSERVATIVE>
+void EulerianSweeps<D>::correct_block(const Particles &p, int block, const Batch &batch)
+{
+  const std::ptrdiff_t at = along() * std::ptrdiff_t(NEXT);
+  const double *i = columns.at(block * LANES);
+  const Nearest near = nearest(block);
+  Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
+  const int *further = pairs.further.data();
+  neighbors.ask_ahead(further, near);
+  const NearFactors<CONSERVATIVE> factor(*this, near, i);
+  Pack own_along[D], f[D];
+  for (int a = 0; a < D; a++) {
+    own_along[a] = component(i + at, a);
+    f[a] = 0.0;
+  }
+  for (int n = 0; n < near.count; n++) {
+    const double *j = neighbors(further[near.slot[n]]);
+    const Pack w = factor(n, j);
+    for (int a = 0; a < D; a++) f[a] = multiply_add(w, own_along[a] - component(j + at, a), f[a]);
+  }
+  const Pack half_mass = 0.5 * batch.load(p.mass);
+  for (int a = 0; a < D; a++) f[a] *= half_mass;
+  this->add_forces(p, batch, f);
 }
 
 // weights safe
@@ -77,7 +86,7 @@ template <int D> void EulerianSweeps<D>::safe_pulls(int block)
 {
   const double *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
-  const NearFactors factor(*this, near, i);
+  const NearFactors<false> factor(*this, near, i);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   for (int n = 0; n < near.count; n++) {
     const double *j = neighbors(pairs.further[near.slot[n]]);

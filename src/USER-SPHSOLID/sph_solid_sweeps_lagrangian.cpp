@@ -46,7 +46,8 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
   TensorSums<D> displacement, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   const Components<D> own = Base::own_motion(i);
-  const typename Base::CorrectionHeat heat(*this, i, needs_correction() ? at_along : X);
+  const typename Base::template CorrectionHeat<false> heat(*this, i,
+                                                           needs_correction() ? at_along : X);
   Neighbors neighbors(*this, block, last, std::max(last, at_da));
   for (int s = first; s < end; s++) {
     const double *j = neighbors(s);
