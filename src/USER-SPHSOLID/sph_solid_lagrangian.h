@@ -193,6 +193,10 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   {
     return load(constants + Slots::FACTOR) * component(j, WEIGHT);
   }
+  Pack own_volume(int block) const    // V0
+  {
+    return (1.0 / unit_factor) * component(columns.at(block * LANES), WEIGHT);
+  }
   Pack factor(int slot, const double *j) const { return factor(slots.constants.of(slot), j); }
   double *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
   const double *correction_of(int block) const

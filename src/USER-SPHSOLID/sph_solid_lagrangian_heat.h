@@ -103,7 +103,7 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Bat
                                         const Sums &sums, Totals &totals) const
 {
   const Pack mass = batch.load(p.mass);
-  const Power late = power(block, mass, batch.load(p.vref), sums);
+  const Power late = power(block, mass, own_volume(block), sums);
   enter_block(block, mass, batch.n, late, totals);
   const Pack heat = load(&early[block * LANES]) + late.sum();
   batch.store(p.e, batch.load(p.e) + this->due.factor * heat / mass);
@@ -120,7 +120,7 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     const Sums sums = accumulate<Work::WHOLE>(block);
     const Pack mass = batch.load(p.mass);
-    const Power of_block = power(block, mass, batch.load(p.vref), sums);
+    const Power of_block = power(block, mass, own_volume(block), sums);
     enter_block(block, mass, batch.n, of_block, t);
     this->give_heat(p, batch, heat, of_block.sum());
   });
@@ -138,7 +138,7 @@ typename LagrangianSweeps<D>::Tensors
 LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &batch) const
 {
   const double *i = columns.at(block * LANES);
-  const Pack V0 = batch.load(p.vref), half_mass = 0.5 * batch.load(p.mass);
+  const Pack V0 = own_volume(block), half_mass = 0.5 * batch.load(p.mass);
   const auto near = near_factors(block);
   TensorSums<D> sum;
   Neighbors neighbors(*this, block, at_da, at_da);

@@ -385,9 +385,11 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
     columns.set(column_of[row], WEIGHT, p.vref[i] * unit_factor);
     if (this->unlike) columns.set(column_of[row], at_rho, p.mass[i] / p.vref[i]);
   }
-  if (this->unlike)    // behind the last particle the last one again
-    for (int column = static_cast<int>(own.size()); column < end_of_own; column++)
-      columns.set(column, at_rho, columns.get(column - 1, at_rho));
+  // behind the last particle the last one again
+  for (int column = static_cast<int>(own.size()); column < end_of_own; column++) {
+    columns.set(column, WEIGHT, columns.get(column - 1, WEIGHT));
+    if (this->unlike) columns.set(column, at_rho, columns.get(column - 1, at_rho));
+  }
   nuncorrected = 0;
   each_arranging(Arranging(*this, p, list, reference), [&](Arranging &arranging, int block) {
     arranging.fill(block, gathered[block]);

@@ -107,10 +107,8 @@ template <bool LATE>
 int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batch, double dt,
                                 Totals &totals)
 {
-  if (Base::ask_points_ahead(p, block, batch, T, at_da)) {
-    prefetch(p.vref + batch.i[0] + 2 * LANES, LANES);
+  if (Base::ask_points_ahead(p, block, batch, T, at_da))
     prefetch(correction_of(block + 2), SYMMETRIC * LANES);
-  }
   constexpr Work WORK = LATE ? Work::DUE : Work::NONE;
   Sums sums = accumulate<WORK>(block);
   if (batch.n < LANES) repeat_last(sums, batch.n);
@@ -125,7 +123,7 @@ int LagrangianSweeps<D>::update(const Particles &p, int block, const Batch &batc
   totals.plastic += Base::sum_of_first(points.plastic_work, batch.n);
 
   const Pack rho = points.state.rho, c = square_root(maximum(points.eos.c2, Pack(0.0)));
-  const Pack V0 = batch.load(p.vref), J = batch.load(p.mass) / (rho * V0);
+  const Pack V0 = own_volume(block), J = batch.load(p.mass) / (rho * V0);
   const Tensors inverse = Fi.inverse(), C = J * inverse.transpose() * correction.transpose();
   const Tensors sigma_C = points.sigma * C;
   if (this->keeps_heat)
@@ -296,7 +294,7 @@ void LagrangianSweeps<D>::force_block(const Particles &p, int block, const Batch
     }
   }
 
-  const Pack V0 = batch.load(p.vref);
+  const Pack V0 = own_volume(block);
   const double *own_sum = gradient_sum_of(block);
   Pack force[D],
       acceleration[D];    // not the sums, which would be kept in memory if one took their address
