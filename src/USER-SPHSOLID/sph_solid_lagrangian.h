@@ -193,6 +193,16 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   {
     return load(constants + Slots::FACTOR) * component(j, WEIGHT);
   }
+  // of a pair u_i - u_j, what x_ij differs from X_ij, and -V0_j g_ij
+  [[gnu::always_inline]] static void displacement(const double *i, const double *j, const Pack *x,
+                                                  Pack minus_F, Pack *u, Pack *g)
+  {
+    difference(i, j, REFERENCE, g);
+    for (int a = 0; a < D; a++) {
+      u[a] = x[a] - g[a];
+      g[a] = minus_F * g[a];
+    }
+  }
   Pack own_volume(int block) const    // V0
   {
     return (1.0 / unit_factor) * component(columns.at(block * LANES), WEIGHT);

@@ -32,28 +32,23 @@ constexpr double LEAST_STRETCH = 0.01;
 // this: a Courant number of 0.6 is then still stable
 constexpr double STEP_STRETCH = 0.05;
 
-// F of a block's particles in the positions of the last evaluation.  It is asked for in few steps: summed anew
-// it costs less than its way to memory in each of them
+// F of a block's particles at the last evaluation.  It is asked for in few steps: summed anew in these it
+// costs less than its way to memory in all of them
 
 template <int D>
 typename LagrangianSweeps<D>::Tensors LagrangianSweeps<D>::deformation(int block) const
 {
   const double *i = columns.at(block * LANES);
   Neighbors neighbors(*this, block, T);
-  TensorSums<D> displacement;
+  TensorSums<D> sum;
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
     const double *j = neighbors(slot);
-    const Pack minus_F = -factor(slot, j);
-    Pack u[D], g[D];    // as accumulate() has them
-    difference(i, j, X, u);
-    difference(i, j, REFERENCE, g);
-    for (int a = 0; a < D; a++) {
-      u[a] -= g[a];
-      g[a] *= minus_F;
-    }
-    displacement.add(u, g);
+    Pack x[D], u[D], g[D];
+    difference(i, j, X, x);
+    displacement(i, j, x, -factor(slot, j), u, g);
+    sum.add(u, g);
   }
-  return Tensors::Identity() + displacement.tensor() * load_correction(block);
+  return Tensors::Identity() + sum.tensor() * load_correction(block);
 }
 
 /* ----------------------------------------------------------------------

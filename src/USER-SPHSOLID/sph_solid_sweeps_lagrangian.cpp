@@ -43,7 +43,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
   const auto constants = slots.constants.from(first);
   const int last = keeps_pairs() ? FIXED : T;    // of what is read of neighbors
   const Kept kept_of_pairs = kept();
-  TensorSums<D> displacement, velocity;
+  TensorSums<D> displaced, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   const Components<D> own = Base::own_motion(i);
   const typename Base::template CorrectionHeat<false> heat(*this, i,
@@ -53,14 +53,9 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
     const double *j = neighbors(s);
     neighbors.template prefetch_ahead<T>(s, j);
     const Components<D> d = motion(own, j);
-    const Pack minus_F = -factor(constants.of(s - first), j);
-    Pack g[D], u[D];    // of j less i: -V0_j g_ij; u_i - u_j
-    difference(i, j, REFERENCE, g);
-    for (int a = 0; a < D; a++) {
-      u[a] = d.x[a] - g[a];
-      g[a] = minus_F * g[a];
-    }
-    displacement.add(u, g);
+    Pack u[D], g[D];
+    displacement(i, j, d.x, -factor(constants.of(s - first), j), u, g);
+    displaced.add(u, g);
     velocity.add(d.v, g);
     if (WORK == Work::NONE) continue;
     add_work<WORK>(kept_of_pairs, s, i, j, d, work);
@@ -73,7 +68,7 @@ typename LagrangianSweeps<D>::Sums LagrangianSweeps<D>::accumulate(int block) co
         corrected = multiply_add(d.v[a], corrected_along(i, j, a), corrected);
     work.corrected = multiply_add(load(near.of(s - first)), corrected, work.corrected);
   }
-  return {displacement.tensor(), velocity.tensor(), work};
+  return {displaced.tensor(), velocity.tensor(), work};
 }
 
 template <int D>
