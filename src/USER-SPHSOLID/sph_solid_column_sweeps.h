@@ -351,12 +351,17 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   }
   Pack standard_power(const double *i, Pack mass) const;
   // what heat() does with the energy of a block
-  static void give_heat(const Particles &p, const Batch &batch, double *heat, Pack energy)
+  static void give_heat(const Particles &p, const Batch &batch, Pack mass, double *heat,
+                        Pack energy)
   {
     if (heat)
       batch.store(heat, energy);
     else
-      batch.store(p.e, batch.load(p.e) + energy / batch.load(p.mass));
+      add_heat(p, batch, mass, energy);
+  }
+  static void add_heat(const Particles &p, const Batch &batch, Pack mass, Pack energy)
+  {
+    batch.store(p.e, batch.load(p.e) + energy / mass);
   }
 
   // of a block the sum of f_ij (x) x_ij

@@ -48,7 +48,7 @@ void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *h
             viscous -= 0.25 * mass * corrected_power<decltype(evenly)::value>(block);
           });
         t.viscous += Base::sum_of_first(viscous, batch.n);
-        this->give_heat(p, batch, heat, stress + viscous);
+        this->give_heat(p, batch, mass, heat, stress + viscous);
       });
     });
   });

@@ -63,7 +63,9 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
       ColumnSweeps<D>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
       at_along(safe() ? X : at_da), at_rho(at_da + (needs_correction() ? D : 0)),
-      damping_unit(largest_modulus(t))
+      damping_unit(Base::largest(t, [](const TypeData &type) {
+        return type.material.longitudinal_modulus();
+      }))
   {
   }
 
@@ -133,14 +135,6 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   bool weights_known = false;
   int nuncorrected = 0;    // particles with partners and B = 1
   std::mutex mutex;        // of shared vectors, and of that number
-
-  static double largest_modulus(const std::vector<TypeData> &types)
-  {
-    double most = 0.0;
-    for (const TypeData &type : types)
-      if (type.h > 0.0) most = std::max(most, type.material.longitudinal_modulus());
-    return most;
-  }
 
   // what is constant between two neighbor lists
   void place_columns(const Particles &, const NeighborRows &, const std::vector<double> &reference,
@@ -268,7 +262,7 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
     Pack stress, viscous, corrected, hourglass;
     Pack sum() const { return stress + viscous + corrected + hourglass; }
   };
-  Power power(int block, Pack mass, Pack V0, const Sums &) const;
+  Power power(int block, Pack mass, const Sums &) const;
   void enter_block(int block, Pack mass, int n, const Power &, Totals &) const;
   void enter_due(const Totals &late);
   Tensors block_virial(const Particles &, int block, const Batch &) const override;

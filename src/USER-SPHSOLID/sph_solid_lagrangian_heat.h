@@ -77,9 +77,10 @@ template <int D> void LagrangianSweeps<D>::enter_due(const Totals &late)
 // the work of forces on the particles of a block; of the stress the half with sigma_i
 
 template <int D>
-typename LagrangianSweeps<D>::Power LagrangianSweeps<D>::power(int block, Pack mass, Pack V0,
+typename LagrangianSweeps<D>::Power LagrangianSweeps<D>::power(int block, Pack mass,
                                                                const Sums &sums) const
 {
+  const Pack V0 = own_volume(block);
   const Tensors sigma_C = tensor(columns.at(block * LANES), T);
   return {V0 * sums.velocity.cwiseProduct(sigma_C).sum(), 0.5 * V0 * sums.work.viscous,
           -0.25 * mass * sums.work.corrected, (-0.5 * damping_unit) * V0 * sums.work.hourglass};
@@ -103,10 +104,10 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Bat
                                         const Sums &sums, Totals &totals) const
 {
   const Pack mass = batch.load(p.mass);
-  const Power late = power(block, mass, own_volume(block), sums);
+  const Power late = power(block, mass, sums);
   enter_block(block, mass, batch.n, late, totals);
   const Pack heat = load(&early[block * LANES]) + late.sum();
-  batch.store(p.e, batch.load(p.e) + this->due.factor * heat / mass);
+  this->add_heat(p, batch, mass, this->due.factor * heat);
 }
 
 /* ----------------------------------------------------------------------
@@ -120,9 +121,9 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     const Sums sums = accumulate<Work::WHOLE>(block);
     const Pack mass = batch.load(p.mass);
-    const Power of_block = power(block, mass, own_volume(block), sums);
+    const Power of_block = power(block, mass, sums);
     enter_block(block, mass, batch.n, of_block, t);
-    this->give_heat(p, batch, heat, of_block.sum());
+    this->give_heat(p, batch, mass, heat, of_block.sum());
   });
   if (heat) return;
   Base::enter(totals, 1.0);

@@ -35,6 +35,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <type_traits>
 
 namespace SPHSolid {
@@ -87,12 +88,12 @@ template <int D> class PointSweeps : public Sweeps {
   // 1/h0^(D+2), h0 the largest smoothing length, so that kernel gradients stored in single precision
   // are of order 1 in any units
   const double unit_factor;
-  // of types that have a material
-  static double largest(const std::vector<TypeData> &types, double TypeData::*length)
+  // of types that have a material; value: a member, or a function of the type
+  template <class Value> static double largest(const std::vector<TypeData> &types, Value value)
   {
     double most = 0.0;
     for (const TypeData &type : types)
-      if (type.h > 0.0) most = std::max(most, type.*length);
+      if (type.h > 0.0) most = std::max<double>(most, std::invoke(value, type));
     return most;
   }
   std::vector<StrengthConstants<>> strengths;    // of the types
