@@ -127,7 +127,22 @@ inline double least(Pack a)
 
 inline bool all_positive(Pack a)
 {
-  return larger_lanes(a, Pack(0.0)) == (1u << LANES) - 1;
+  return larger_lanes(a, Pack(0.0)) == first_lanes(LANES);
+}
+
+// of both halves
+
+inline double sum(WidePack a)
+{
+  return sum(part_of<0>(a)) + sum(part_of<1>(a));
+}
+inline double least(WidePack a)
+{
+  return minimum(least(part_of<0>(a)), least(part_of<1>(a)));
+}
+inline bool all_positive(WidePack a)
+{
+  return larger_lanes(a, WidePack(0.0)) == first_lanes(WIDE);
 }
 
 // four rows become four columns

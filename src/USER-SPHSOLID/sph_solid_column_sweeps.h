@@ -33,9 +33,12 @@ using namespace SPHSolid;
 
 namespace {
 
-template <int D> class ColumnSweeps : public PointSweeps<D> {
+template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
  public:
-  using PointSweeps<D>::PointSweeps;
+  ColumnSweeps(const Options &o, const std::vector<TypeData> &t) :
+      PointSweeps<D>(o, t), ruler(Base::largest(t, &TypeData::h))
+  {
+  }
 
   int message_size(Message) const override;
   void pack(Message, int, double *) const override;
@@ -50,19 +53,32 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   using Base = PointSweeps<D>;
   using Base::images, Base::lonely, Base::needs_correction, Base::nparticles, Base::nthreads,
       Base::opt;
-  using Batch = typename Base::Batch;
   using Totals = typename Base::Totals;
+
+  // of pairs, in their precision
+  using Number = typename Precision::Number;
+  using Numbers = AlignedRows<Number>;
+  using Pack = typename Precision::Pack;
+  using Single = typename Precision::Single;
+  using Place = typename Precision::Place;
+  using Ruler = typename Precision::Ruler;
+  using Batch = typename Base::template BatchOf<Pack>;
   using Tensors = Tensor<D, Pack>;
+  using Parts = Components<D, Pack>;
+  static constexpr int LANES = lanes_of<Pack>;
+  static Pack load(const Number *from) { return Precision::load(from); }
 
   // the first components of a column: positions, velocities (for heat: displacements)
   static constexpr int X = 0, V = D, SYMMETRIC = D * (D + 1) / 2;
+  using Columns = ColumnsOf<Precision>;
   static constexpr int NEXT = Columns::NEXT;
 
   Columns columns;
+  const Ruler ruler;
   // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
   static constexpr double IN_CACHE = 512.0 * 1024.0;    // [bytes]
   bool asks_ahead = false;
-  static constexpr int AHEAD = 16;    // columns from what is read to what is asked for
+  static constexpr int AHEAD = 128 / sizeof(Number);    // columns from what is read to what is asked for
   bool with_rows = false;             // for bodies that are no lattice
   std::vector<int> own;               // own particles in the order of columns
   std::vector<int> column_of;         // of every own particle, ghost and image, -1: none
@@ -70,14 +86,14 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
 
   // components that messages fill: what ghosts are sent of the constitutive update lies from stress
   // to da, n of the correction or the switch of a viscosity at last, the viscous acceleration at da
-  struct Places {
+  struct Sent {
     int stress, last, da;
   };
-  virtual Places places() const = 0;
+  virtual Sent sent() const = 0;
   struct Part {
     int first, size;
   };
-  Part part_of(Message) const;
+  Part sent_with(Message) const;
 
   // blocks
   int blocks() const { return end_of_own / LANES; }
@@ -99,7 +115,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     column_of.assign(rows, -1);
     int column = 0;
     for (const int i : own) column_of[i] = column++;
-    end_of_own = column = whole_vectors(column);
+    end_of_own = column = Columns::whole_blocks(column);
     for (const std::vector<int> *of : {&ghosts, &mirrored})
       for (const int row : *of) column_of[row] = column++;
     end_of_columns = column;
@@ -115,17 +131,17 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   // room for so many components of gathered neighbors, as far apart as in columns.  No more than
   // there can be: a stack is touched page by page before it is used
   template <int MOST> struct Scratch {
-    alignas(64) double of[(MOST + BLOCK) * NEXT];
+    alignas(64) Number of[(MOST + BLOCK) * NEXT];
   };
-  void gather(const int *from, int first, int end, double *to) const;
+  void gather(const int *from, int first, int end, Number *to) const;
   template <int... C>
-  static void prefetch_components(const double *at, std::integer_sequence<int, C...>)
+  static void prefetch_components(const Number *at, std::integer_sequence<int, C...>)
   {
     (prefetch(at + C * NEXT, 1), ...);
   }
 
   // the same of components [first, end)
-  static void prefetch_components(const double *at, int first, int end)
+  static void prefetch_components(const Number *at, int first, int end)
   {
     for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
   }
@@ -143,7 +159,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
         end(to), second(from2), second_end(to2)
     {
     }
-    [[gnu::always_inline]] const double *operator()(int further)
+    [[gnu::always_inline]] const Number *operator()(int further)
     {
       return further < GATHERED ? i + further : gathered(of_gathered(further));
     }
@@ -157,7 +173,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     void ask_behind(int further) const
     {
       if (!of.asks_ahead || further >= GATHERED) return;
-      const double *at = i + further + AHEAD;
+      const Number *at = i + further + AHEAD;
       prefetch_components(at, first, end);
       prefetch_components(at, second, second_end);
     }
@@ -165,7 +181,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
    private:
     const ColumnSweeps &of;
     const int *const gathered_columns;
-    const double *const i;
+    const Number *const i;
     const int first, end, second, second_end;
     Scratch<MOST> scratch;
 
@@ -174,7 +190,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
       return gathered_columns + std::size_t(further - GATHERED) * LANES;
     }
     // not inlined: a loop over other slots has registers for what it needs then
-    [[gnu::noinline]] const double *gathered(const int *from)
+    [[gnu::noinline]] const Number *gathered(const int *from)
     {
       of.gather(from, first, end, scratch.of);
       of.gather(from, second, second_end, scratch.of);
@@ -183,8 +199,8 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   };
 
   // of the particles of a block, or of a slot's neighbors
-  static Pack component(const double *at, int c) { return load(at + c * NEXT); }
-  static Tensors tensor(const double *at, int c)
+  static Pack component(const Number *at, int c) { return load(at + c * NEXT); }
+  static Tensors tensor(const Number *at, int c)
   {
     Tensors t;
     for (int a = 0; a < D; a++)
@@ -192,35 +208,62 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     return t;
   }
   // D components from c on
-  static void load_own(const double *i, int c, Pack *out)
+  static void load_own(const Number *i, int c, Pack *out)
   {
     for (int a = 0; a < D; a++) out[a] = component(i, c + a);
   }
-  static void difference(const Pack *own, const double *j, int c, Pack *out)
+  static void difference(const Pack *own, const Number *j, int c, Pack *out)
   {
     for (int a = 0; a < D; a++) out[a] = own[a] - component(j, c + a);
   }
-  static void difference(const double *i, const double *j, int c, Pack *out)
+  static void difference(const Number *i, const Number *j, int c, Pack *out)
   {
     Pack own[D];
     load_own(i, c, own);
     difference(own, j, c, out);
   }
-  static Components<D> motion(const double *i, const double *j) { return motion(own_motion(i), j); }
-  // of a particle itself: in a sweep's loop the compiler would read it again for every neighbor
-  static Components<D> own_motion(const double *i)
+  // positions of particles, from which those of neighbors are so far apart.  Of a particle itself: in a
+  // sweep's loop the compiler would read it again for every neighbor
+  struct Places {
+    Place x[D];
+    const Ruler ruler;
+    [[gnu::always_inline]] Places(const ColumnSweeps &s, const Number *i, int c) : ruler(s.ruler)
+    {
+      each_index<D>([&](auto a) {
+        x[a] = Ruler::place(i + (c + a) * NEXT);
+      });
+    }
+    [[gnu::always_inline]] void apart(const Number *j, int c, Pack *out) const
+    {
+      each_index<D>([&](auto a) {
+        out[a] = ruler.apart(x[a], Ruler::place(j + (c + a) * NEXT));
+      });
+    }
+  };
+  // the same with velocities
+  struct Motion : Places {
+    Pack v[D];
+    [[gnu::always_inline]] Motion(const ColumnSweeps &s, const Number *i) : Places(s, i, X)
+    {
+      each_index<D>([&](auto a) {
+        v[a] = component(i, V + a);
+      });
+    }
+    [[gnu::always_inline]] Parts from(const Number *j) const
+    {
+      Parts d;
+      this->apart(j, X, d.x);
+      each_index<D>([&](auto a) {
+        d.v[a] = v[a] - component(j, V + a);
+      });
+      return d;
+    }
+  };
+  Parts motion(const Number *i, const Number *j) const { return Motion(*this, i).from(j); }
+  // of two columns
+  double apart(int column, int other, int component) const
   {
-    Components<D> own;
-    load_own(i, X, own.x);
-    load_own(i, V, own.v);
-    return own;
-  }
-  static Components<D> motion(const Components<D> &own, const double *j)
-  {
-    Components<D> d;
-    difference(own.x, j, X, d.x);
-    difference(own.v, j, V, d.v);
-    return d;
+    return ruler.apart(columns.at(column) + component * NEXT, columns.at(other) + component * NEXT);
   }
   void store_tensor(int column, int c, const Tensors &t)
   {
@@ -236,8 +279,12 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) repeat_last(t(a, b), n);
   }
+  template <int part>
+  static void load_vectors(const Batch &, const double *const *of, SPHSolid::Pack *v);
   static void load_vectors(const Batch &, const double *const *of, Pack *v);
   void pack_vectors(int block, const Batch &, int component, const double *const *of);
+  void pack_places(int block, const Batch &, const double *const *x);
+  void set_places(int column, int component, const double *x);
   void store_displacement(int block, const Pack *u);
   void pack_ghosts(const Particles &, const double *const *v);
   void mirror_vectors(int component);
@@ -256,13 +303,13 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     columns.store(column, at, components, SYMMETRIC);
   }
   // x.Dx: of one particle, or the sum of two
-  static Pack stretching(const double *i, int at, const Pack *x)
+  static Pack stretching(const Number *i, int at, const Pack *x)
   {
     return stretching(x, [=](int c) {
       return component(i, at + c);
     });
   }
-  static Pack stretching(const double *i, const double *j, int at, const Pack *x)
+  static Pack stretching(const Number *i, const Number *j, int at, const Pack *x)
   {
     return stretching(x, [=](int c) {
       return component(i, at + c) + component(j, at + c);
@@ -282,13 +329,17 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   // viscosity.  For the switch of "front": the velocity gradient of a particle predicts the jump
   // x_ij.D x_ij of a pair.  Weights -F_ij V_j/x_ij^2 with g_ij = F_ij x_ij, given without 1/x_ij^2
   struct Jumps {
-    const double *const i;
+    const Number *const i;
+    const Motion own;
     const Pack least;    // particles may meet
     Pack rest2 = 0.0, linear2 = 0.0;
-    Jumps(const double *own, Pack h) : i(own), least(MU_EPSILON * h * h) {}
-    void add(const double *j, int at_rate, Pack weight)
+    Jumps(const ColumnSweeps &s, const Number *at, Pack h) :
+        i(at), own(s, at), least(MU_EPSILON * h * h)
     {
-      const Components<D> d = motion(i, j);
+    }
+    void add(const Number *j, int at_rate, Pack weight)
+    {
+      const Parts d = own.from(j);
       const Pack li = stretching(i, at_rate, d.x), lj = stretching(j, at_rate, d.x);
       const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
       const Pack w = weight / (d.x_dot_x() + least);
@@ -298,10 +349,10 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     Pack unresolved() const { return unresolved_share(rest2, linear2); }
   };
   void find_lonely();
-  Pack whole_pull(const double *i, const double *j, int last, Pack pull) const;
+  Pack whole_pull(const Number *i, const Number *j, int last, Pack pull) const;
   // the part of a pair's viscous force that is heat as it is: a compatible correction heats in a
   // way of its own, but for pairs that it must not touch
-  Pack heated_pull(const double *i, const double *j, int last, Pack pull) const
+  Pack heated_pull(const Number *i, const Number *j, int last, Pack pull) const
   {
     const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
     return all ? pull : whole_pull(i, j, last, pull);
@@ -316,7 +367,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   template <bool EVENLY> struct CorrectionHeat {
     const int at;
     Pack own_moved[D], own_force[D], minus_moved, minus_force;
-    CorrectionHeat(const ColumnSweeps &s, const double *i, int along) : at(along)
+    CorrectionHeat(const ColumnSweeps &s, const Number *i, int along) : at(along)
     {
       const bool printed = s.opt.heating == Heating::PRINTED && !s.safe(),
                  alone = s.opt.weights == Weights::SHEPARD && !printed;    // its own loss
@@ -327,7 +378,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
       minus_moved = alone ? 0.0 : -1.0;
       minus_force = printed ? -2.0 : -1.0;
     }
-    Pack of(const double *j) const
+    Pack of(const Number *j) const
     {
       Pack sum = 0.0;
       each_index<D>([&](auto a) {
@@ -342,14 +393,14 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
     }
   };
   // weights safe, without the weight
-  static Pack safe_pull_of(const double *i, const double *j, int at_da)
+  Pack safe_pull_of(const Number *i, const Number *j, int at_da) const
   {
-    const Components<D> d = motion(i, j);
+    const Parts d = motion(i, j);
     Pack a[D];
     difference(i, j, at_da, a);
     return safe_pull(dot<D>(a, d.x), d.v_dot_x(), d.x_dot_x());
   }
-  Pack standard_power(const double *i, Pack mass) const;
+  Pack standard_power(const Number *i, Pack mass) const;
   // what heat() does with the energy of a block
   static void give_heat(const Particles &p, const Batch &batch, Pack mass, double *heat,
                         Pack energy)
@@ -361,7 +412,7 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
   }
   static void add_heat(const Particles &p, const Batch &batch, Pack mass, Pack energy)
   {
-    batch.store(p.e, batch.load(p.e) + energy / mass);
+    batch.add(p.e, energy / mass);
   }
 
   // of a block the sum of f_ij (x) x_ij
@@ -370,9 +421,9 @@ template <int D> class ColumnSweeps : public PointSweeps<D> {
 
 // call(block, its particles, totals); the totals of all blocks
 
-template <int D>
+template <int D, class Precision>
 template <class Call>
-typename ColumnSweeps<D>::Totals ColumnSweeps<D>::each_block(Call call)
+typename ColumnSweeps<D, Precision>::Totals ColumnSweeps<D, Precision>::each_block(Call call)
 {
   const NeighborRows list = own_list();
   return join_shares(
@@ -389,8 +440,8 @@ typename ColumnSweeps<D>::Totals ColumnSweeps<D>::each_block(Call call)
 // of the block after the next one, if its particles lie behind these, what the constitutive update reads
 // and the components [first, end) that it writes; was it asked for?
 
-template <int D>
-bool ColumnSweeps<D>::ask_points_ahead(const Particles &p, int block, const Batch &batch, int first,
+template <int D, class Precision>
+bool ColumnSweeps<D, Precision>::ask_points_ahead(const Particles &p, int block, const Batch &batch, int first,
                                        int end) const
 {
   const int next = batch.i[0] + 2 * LANES;
@@ -403,48 +454,88 @@ bool ColumnSweeps<D>::ask_points_ahead(const Particles &p, int block, const Batc
 
 // behind the last particle the last one again
 
-template <int D> void ColumnSweeps<D>::repeat_last(Pack &v, int n)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::repeat_last(Pack &v, int n)
 {
-  const double last = v[n - 1];
-  v = where_positive(first_lanes(n), v, Pack(last));
+  v = where_lanes(first_lanes(n), v, Pack(v[n - 1]));
 }
 
 /* ----------------------------------------------------------------------
    what is read of neighbors
 ------------------------------------------------------------------------- */
 
-// LAMMPS's vectors of a block; behind the last particle those of the last one again
+// LAMMPS's vectors of a part of a block; behind the last particle those of the last one again
 
-template <int D>
-void ColumnSweeps<D>::load_vectors(const Batch &batch, const double *const *of, Pack *v)
+template <int D, class Precision>
+template <int part>
+void ColumnSweeps<D, Precision>::load_vectors(const Batch &batch, const double *const *of,
+                                              SPHSolid::Pack *v)
 {
+  const int *i = batch.i + part * SPHSolid::LANES;
   if (batch.consecutive)
-    load_components<D>(of[batch.i[0]], v);
+    load_components<D>(of[i[0]], v);
   else
     for (int a = 0; a < D; a++)
       v[a] = pack_of([&](int m) {
-        return of[batch.i[m]][a];
+        return of[i[m]][a];
       });
 }
 
-template <int D>
-void ColumnSweeps<D>::pack_vectors(int block, const Batch &batch, int component,
-                                   const double *const *of)
+// of a block
+
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::load_vectors(const Batch &batch, const double *const *of, Pack *v)
+{
+  SPHSolid::Pack all[2][D];
+  each_part<Pack>([&](auto part) {
+    load_vectors<part()>(batch, of, all[part()]);
+  });
+  for (int a = 0; a < D; a++)
+    v[a] = of_parts<Pack>([&](auto part) {
+      return all[part()][a];
+    });
+}
+
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::pack_vectors(int block, const Batch &batch, int component,
+                                              const double *const *of)
 {
   Pack v[D];
   load_vectors(batch, of, v);
   columns.store(block * LANES, component, v, D);
 }
 
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::pack_places(int block, const Batch &batch, const double *const *x)
+{
+  each_part<Pack>([&](auto part) {
+    SPHSolid::Pack of_part[D];
+    load_vectors<part()>(batch, x, of_part);
+    columns.write(block * LANES, [&](Number *to) {
+      for (int a = 0; a < D; a++)
+        ruler.store_place(to + (X + a) * NEXT + part() * SPHSolid::LANES, of_part[a]);
+    });
+  });
+}
+
+// of one column
+
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::set_places(int column, int component, const double *x)
+{
+  Number of_column[D];
+  for (int a = 0; a < D; a++) of_column[a] = ruler.number_of(x[a]);
+  columns.set(column, component, of_column, D);
+}
+
 // positions and velocities of ghosts and images
 
-template <int D> void ColumnSweeps<D>::pack_ghosts(const Particles &p, const double *const *v)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::pack_ghosts(const Particles &p, const double *const *v)
 {
   each_share(nthreads, p.nall - p.nlocal, [&](int first, int end) {
     for (int i = p.nlocal + first; i < p.nlocal + end; i++) {
       const int column = column_of[i];
       if (column < 0) continue;
-      columns.set(column, X, p.x[i], D);
+      set_places(column, X, p.x[i]);
       columns.set(column, V, v[i], D);
     }
   });
@@ -452,14 +543,14 @@ template <int D> void ColumnSweeps<D>::pack_ghosts(const Particles &p, const dou
     const int column = column_of[nparticles + k];
     double at[D];
     images.template position<D>(k, p.x[images.source_of(k)], at);
-    columns.set(column, X, at, D);
+    set_places(column, X, at);
   }
   mirror_vectors(V);
 }
 
 // of images
 
-template <int D> void ColumnSweeps<D>::mirror_vectors(int component)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_vectors(int component)
 {
   for (int k = 0; k < images.count(); k++) {
     double sign[3];
@@ -468,7 +559,7 @@ template <int D> void ColumnSweeps<D>::mirror_vectors(int component)
   }
 }
 
-template <int D> void ColumnSweeps<D>::mirror_component(int component, double factor, int image)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_component(int component, double factor, int image)
 {
   const int from = column_of[images.source_of(image)], to = column_of[nparticles + image];
   columns.set(to, component, factor * columns.get(from, component));
@@ -477,25 +568,25 @@ template <int D> void ColumnSweeps<D>::mirror_component(int component, double fa
 // a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
 // both signs
 
-template <int D> void ColumnSweeps<D>::mirror_tensor(int component, const double *sign, int image)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_tensor(int component, const double *sign, int image)
 {
   for (int a = 0; a < D; a++)
     for (int b = 0; b < D; b++) mirror_component(component + D * a + b, sign[a] * sign[b], image);
 }
 
-template <int D> void ColumnSweeps<D>::mirror_rate(int component, const double *sign, int image)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_rate(int component, const double *sign, int image)
 {
   for (int a = 0; a < D; a++)
     for (int b = a; b < D; b++) mirror_component(component++, sign[a] * sign[b], image);
 }
 
-template <int D> void ColumnSweeps<D>::store_displacement(int block, const Pack *u)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::store_displacement(int block, const Pack *u)
 {
   columns.store(block * LANES, V, u, D);
   columns.copy_to_rows(block * LANES, V, V + D);
 }
 
-template <int D> void ColumnSweeps<D>::displace(const double *const *u)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::displace(const double *const *u)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     Pack of_block[D];
@@ -504,7 +595,7 @@ template <int D> void ColumnSweeps<D>::displace(const double *const *u)
   });
 }
 
-template <int D> void ColumnSweeps<D>::displace(const Particles &p, const Kick &kick)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::displace(const Particles &p, const Kick &kick)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     Pack v[D], f[D], u[D], a = kick.a_scale / batch.load(p.mass);
@@ -513,7 +604,7 @@ template <int D> void ColumnSweeps<D>::displace(const Particles &p, const Kick &
     int of_all = kick.kicked;
     for (int m = 0; m < LANES; m++) of_all &= kick.mask[batch.i[m]];
     if (!of_all)
-      a = pack_of([&](int m) {
+      a = pack_of<Pack>([&](int m) {
         return kick.mask[batch.i[m]] & kick.kicked ? a[m] : 0.0;
       });
     for (int c = 0; c < D; c++) u[c] = kick.v_scale * v[c] + a * f[c];
@@ -521,7 +612,7 @@ template <int D> void ColumnSweeps<D>::displace(const Particles &p, const Kick &
   });
 }
 
-template <int D> void ColumnSweeps<D>::velocity(int i, double *v) const
+template <int D, class Precision> void ColumnSweeps<D, Precision>::velocity(int i, double *v) const
 {
   const int column = column_of[i];
   for (int a = 0; column >= 0 && a < D; a++) v[a] = columns.get(column, V + a);
@@ -529,62 +620,69 @@ template <int D> void ColumnSweeps<D>::velocity(int i, double *v) const
 
 // components of columns from[0], from[1], ... side by side
 
-template <int D> void ColumnSweeps<D>::gather(const int *from, int first, int end, double *to) const
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::gather(const int *from, int first, int end, Number *to) const
 {
   const bool rows = columns.has_rows();
-  const double *at[LANES];
+  const Number *at[LANES];
   for (int m = 0; m < LANES; m++) at[m] = rows ? columns.row(from[m]) : columns.at(from[m]);
-  if (rows)
+  if (!rows)
+    for (int c = first; c < end; c++) store(to + c * NEXT, Precision::pack_of_numbers([&](int m) {
+              return at[m][c * NEXT];
+            }));
+  else if constexpr (Precision::HAS_ROWS)
     for (int c = first / BLOCK * BLOCK; c < end; c += BLOCK) {
       Pack of[BLOCK];
-      for (int m = 0; m < BLOCK; m++) of[m] = load(Addresses(at[m] + c, at[m + LANES - BLOCK] + c));
+      for (int m = 0; m < BLOCK; m++)
+        of[m] = SPHSolid::load(Addresses(at[m] + c, at[m + LANES - BLOCK] + c));
       transpose(of[0], of[1], of[2], of[3]);
       for (int k = 0; k < BLOCK; k++) store(to + (c + k) * NEXT, of[k]);
     }
-  else
-    for (int c = first; c < end; c++)
-      store(to + c * NEXT, pack_of([&](int m) {
-              return at[m][c * NEXT];
-            }));
 }
 
-template <int D>
-void ColumnSweeps<D>::add_forces(const Particles &p, const Batch &batch, const Pack *f)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::add_forces(const Particles &p, const Batch &batch, const Pack *f)
 {
-  if (batch.consecutive) return add_components<D>(p.f[batch.i[0]], f);
-  for (int m = 0; m < batch.n; m++)
-    for (int a = 0; a < D; a++) p.f[batch.i[m]][a] += f[a][m];
+  each_part<Pack>([&](auto part) {
+    SPHSolid::Pack of_part[D];
+    for (int a = 0; a < D; a++) of_part[a] = part_of<part()>(f[a]);
+    const int *i = batch.i + part() * SPHSolid::LANES;
+    if (batch.consecutive) return add_components<D>(p.f[i[0]], of_part);
+    const int end = std::min(batch.template left<part()>(), SPHSolid::LANES);
+    for (int m = 0; m < end; m++)
+      for (int a = 0; a < D; a++) p.f[i[m]][a] += of_part[a][m];
+  });
 }
 
 /* ----------------------------------------------------------------------
    messages: a few components each
 ------------------------------------------------------------------------- */
 
-template <int D> typename ColumnSweeps<D>::Part ColumnSweeps<D>::part_of(Message what) const
+template <int D, class Precision> typename ColumnSweeps<D, Precision>::Part ColumnSweeps<D, Precision>::sent_with(Message what) const
 {
-  const Places at = places();
+  const Sent at = sent();
   if (what == Message::STRESS) return {at.stress, at.da - at.stress};
   if (what == Message::SWITCH) return {at.last, 1};
   return {what == Message::VISCOUS ? at.da : V, D};
 }
 
-template <int D> int ColumnSweeps<D>::message_size(Message what) const
+template <int D, class Precision> int ColumnSweeps<D, Precision>::message_size(Message what) const
 {
-  return part_of(what).size;
+  return sent_with(what).size;
 }
 
-template <int D> void ColumnSweeps<D>::pack(Message what, int i, double *out) const
+template <int D, class Precision> void ColumnSweeps<D, Precision>::pack(Message what, int i, double *out) const
 {
   const int column = column_of[i];    // none of who has no material
-  const Part part = part_of(what);
-  const double *from = columns.at(std::max(column, 0)) + part.first * NEXT;
+  const Part part = sent_with(what);
+  const Number *from = columns.at(std::max(column, 0)) + part.first * NEXT;
   for (int c = 0; c < part.size; c++) out[c] = column < 0 ? 0.0 : from[c * NEXT];
 }
 
-template <int D>
-void ColumnSweeps<D>::unpack(Message what, const Particles &, int i, const double *in)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::unpack(Message what, const Particles &, int i, const double *in)
 {
-  const Part part = part_of(what);
+  const Part part = sent_with(what);
   if (column_of[i] >= 0) columns.set(column_of[i], part.first, in, part.size);
 }
 
@@ -592,16 +690,16 @@ void ColumnSweeps<D>::unpack(Message what, const Particles &, int i, const doubl
    viscosity
 ------------------------------------------------------------------------- */
 
-template <int D> void ColumnSweeps<D>::mirror_switch()
+template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_switch()
 {
-  for (int k = 0; k < images.count(); k++) mirror_component(places().last, 1.0, k);
+  for (int k = 0; k < images.count(); k++) mirror_component(sent().last, 1.0, k);
 }
 
 // is there a particle without a nearest neighbor?
 
-template <int D> void ColumnSweeps<D>::find_lonely()
+template <int D, class Precision> void ColumnSweeps<D, Precision>::find_lonely()
 {
-  const int last = places().last;
+  const int last = sent().last;
   lonely = false;
   int column = 0;
   for (; column + LANES <= end_of_columns && !lonely; column += LANES)
@@ -612,8 +710,8 @@ template <int D> void ColumnSweeps<D>::find_lonely()
 // of the pairs that the correction must not touch since one of the two has no nearest neighbor,
 // the whole viscous force: what is left of a pair's pull there, 0 elsewhere
 
-template <int D>
-Pack ColumnSweeps<D>::whole_pull(const double *i, const double *j, int last, Pack pull) const
+template <int D, class Precision>
+typename ColumnSweeps<D, Precision>::Pack ColumnSweeps<D, Precision>::whole_pull(const Number *i, const Number *j, int last, Pack pull) const
 {
   if (!needs_correction()) return pull;
   const Pack zero(0.0);
@@ -623,11 +721,11 @@ Pack ColumnSweeps<D>::whole_pull(const double *i, const double *j, int last, Pac
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D> Pack ColumnSweeps<D>::standard_power(const double *i, Pack mass) const
+template <int D, class Precision> typename ColumnSweeps<D, Precision>::Pack ColumnSweeps<D, Precision>::standard_power(const Number *i, Pack mass) const
 {
   Pack power = 0.0;
   if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
-  const int at_da = places().da;
+  const int at_da = sent().da;
   for (int a = 0; a < D; a++) power -= mass * component(i, at_da + a) * component(i, V + a);
   return power;
 }
@@ -636,7 +734,7 @@ template <int D> Pack ColumnSweeps<D>::standard_power(const double *i, Pack mass
    virial, only on steps that ask for it: half of each pair's sum x_ij f_ij
 ------------------------------------------------------------------------- */
 
-template <int D> void ColumnSweeps<D>::virial(const Particles &p, const NeighborRows &, double *six)
+template <int D, class Precision> void ColumnSweeps<D, Precision>::virial(const Particles &p, const NeighborRows &, double *six)
 {
   const NeighborRows list = own_list();
   Base::add_virial(blocks(), six, [&](int first, int end) {

@@ -31,35 +31,40 @@
 #ifndef LMP_SPH_SOLID_COLUMNS_H
 #define LMP_SPH_SOLID_COLUMNS_H
 
+#include "sph_solid_precision.h"
 #include "sph_solid_storage.h"
-#include "sph_solid_vector.h"
 
 #include <algorithm>
 
 namespace SPHSolid {
 
-class Columns {
+template <class Precision> class ColumnsOf {
  public:
+  using Number = typename Precision::Number;
+  using Pack = typename Precision::Pack;
+  static constexpr int LANES = lanes_of<Pack>;
   static constexpr int LENGTH = 256;             // columns of a chunk, a multiple of LANES
-  static constexpr int NEXT = LENGTH + LANES;    // from one component to the next [doubles]
+  static constexpr int NEXT = LENGTH + LANES;    // from one component to the next [numbers]
 
   // ncolumns of ncomponents each, all 0; with_rows: what a column has is kept in one place, too
   void resize(int ncolumns, int ncomponents, bool with_rows)
   {
     n = ncomponents;
     stride = (n + BLOCK - 1) / BLOCK * BLOCK;
-    rows.assign(with_rows ? static_cast<std::size_t>(whole_vectors(ncolumns)) * stride : 0, 0.0);
+    rows.assign(with_rows ? static_cast<std::size_t>(whole_blocks(ncolumns)) * stride : 0, 0.0);
     const std::size_t chunks = static_cast<std::size_t>((ncolumns + 2 * LANES) / LENGTH + 1);
     data.assign(chunks * size_of_chunk(), 0.0);
   }
   int components() const { return n; }
+  // n rounded up to whole blocks
+  static int whole_blocks(int n) { return (n + LANES - 1) / LANES * LANES; }
 
   // component 0 of a column, component c lies c NEXT doubles behind; from -LANES on to the one
   // behind the last, with LANES - 1 further columns behind it
-  double *at(int column) { return data.data() + place(column); }
-  const double *at(int column) const { return data.data() + place(column); }
+  Number *at(int column) { return data.data() + place(column); }
+  const Number *at(int column) const { return data.data() + place(column); }
 
-  // doubles from one column to another, not more than FURTHEST away (sph_solid_slots.h)
+  // numbers from one column to another, not more than FURTHEST away (sph_solid_slots.h)
   int from(int column, int other) const { return static_cast<int>(at(other) - at(column)); }
 
   // LANES columns from a multiple of LANES on
@@ -67,11 +72,15 @@ class Columns {
   // of count components from first on
   void store(int column, int first, const Pack *v, int count)
   {
-    double *to = at(column) + first * NEXT;
-    for (int c = 0; c < count; c++) SPHSolid::store(to + c * NEXT, v[c]);
-    if (!begins_chunk(column)) return;
-    to += LENGTH - size_of_chunk();
-    for (int c = 0; c < count; c++) SPHSolid::store(to + c * NEXT, v[c]);
+    write(column, [&](Number *to) {
+      for (int c = 0; c < count; c++) SPHSolid::store(to + (first + c) * NEXT, v[c]);
+    });
+  }
+  // call(component 0 of a column or of the first of LANES columns) wherever it is stored
+  template <class Call> [[gnu::always_inline]] void write(int column, Call call)
+  {
+    call(at(column));
+    if (begins_chunk(column)) call(at(column) + LENGTH - size_of_chunk());
   }
   // after stores: the same in rows, if there are any
   void copy_to_rows(int column, int first, int last)
@@ -81,7 +90,7 @@ class Columns {
       for (int m = 0; m < LANES; m++) row_of(column + m)[c] = at(column)[c * NEXT + m];
   }
   // the column that at() has found
-  int column(const double *at) const
+  int column(const Number *at) const
   {
     const std::ptrdiff_t place = at - data.data(), chunk = place / size_of_chunk();
     return static_cast<int>(chunk * LENGTH + place % size_of_chunk()) - LANES;
@@ -89,29 +98,26 @@ class Columns {
   double get(int column, int component) const { return at(column)[component * NEXT]; }
   void set(int column, int component, double v) { set(column, component, &v, 1); }
   // count components from first on of one column
-  void set(int column, int first, const double *v, int count)
+  template <class T> void set(int column, int first, const T *v, int count)
   {
-    double *to = at(column) + first * NEXT;
-    for (int c = 0; c < count; c++) to[c * NEXT] = v[c];
-    if (begins_chunk(column)) {
-      to += LENGTH - size_of_chunk();
-      for (int c = 0; c < count; c++) to[c * NEXT] = v[c];
-    }
+    write(column, [&](Number *to) {
+      for (int c = 0; c < count; c++) to[(first + c) * NEXT] = static_cast<Number>(v[c]);
+    });
     if (has_rows()) std::copy(v, v + count, row_of(column) + first);
   }
 
   bool has_rows() const { return !rows.empty(); }
-  const double *row(int column) const { return &rows[static_cast<std::size_t>(column) * stride]; }
+  const Number *row(int column) const { return &rows[static_cast<std::size_t>(column) * stride]; }
   double memory_usage() const
   {
-    return static_cast<double>((data.capacity() + rows.capacity()) * sizeof(double));
+    return static_cast<double>((data.capacity() + rows.capacity()) * sizeof(Number));
   }
 
  private:
-  Rows data, rows;
+  AlignedRows<Number> data, rows;
   int n = 0, stride = 0;
 
-  double *row_of(int column) { return &rows[static_cast<std::size_t>(column) * stride]; }
+  Number *row_of(int column) { return &rows[static_cast<std::size_t>(column) * stride]; }
 
   std::ptrdiff_t size_of_chunk() const { return static_cast<std::ptrdiff_t>(n) * NEXT; }
   std::ptrdiff_t place(int column) const
@@ -126,6 +132,8 @@ class Columns {
     return c % LENGTH < LANES && c >= LENGTH;
   }
 };
+
+using Columns = ColumnsOf<DoublePrecision>;
 
 }    // namespace SPHSolid
 

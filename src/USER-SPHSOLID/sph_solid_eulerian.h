@@ -46,10 +46,10 @@ template <class Call> void with_flag(bool flag, Call call)
     call(std::false_type());
 }
 
-template <int D> class EulerianSweeps : public ColumnSweeps<D> {
+template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, Precision> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      ColumnSweeps<D>(o, t), uniform(are_alike(t)), at_rate(FIXED + (o.tensile ? D * D : 0)),
+      ColumnSweeps<D, Precision>(o, t), uniform(are_alike(t)), at_rate(FIXED + (o.tensile ? D * D : 0)),
       at_da(at_rate + (needs_rates(pair_form(o.viscosity)) ? SYMMETRIC : 0)),
       at_h(at_da + (needs_correction() ? D : 0)), at_near(at_h + 1),
       common_h(Base::largest(t, &TypeData::h)),
@@ -72,15 +72,17 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   double memory_usage() const override;
 
  private:
-  using Base = ColumnSweeps<D>;
+  using Base = ColumnSweeps<D, Precision>;
+  using typename Base::Batch, typename Base::Motion, typename Base::Number, typename Base::Numbers,
+      typename Base::Pack, typename Base::Parts, typename Base::Place, typename Base::Ruler,
+      typename Base::Sent, typename Base::Single, typename Base::Tensors, typename Base::Totals;
+  using Bits = typename Precision::Bits;
   using Base::blocks, Base::column_of, Base::columns, Base::component, Base::each_block,
       Base::end_of_columns, Base::end_of_own, Base::image_first, Base::image_j, Base::images,
-      Base::keeps_pairs, Base::lonely, Base::motion, Base::needs_correction, Base::NEXT,
+      Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::motion, Base::needs_correction, Base::NEXT,
       Base::nparticles, Base::nthreads, Base::opt, Base::own, Base::own_list, Base::particles_of,
       Base::safe, Base::source_of, Base::SYMMETRIC, Base::tensor, Base::types, Base::unit_factor,
       Base::V, Base::X;
-  using typename Base::Batch, typename Base::Totals, typename Base::Tensors, typename Base::Places,
-      typename Base::Points;
 
   // components of a column behind positions and velocities: V/h0^(D+2), this step's; mass; what
   // ghosts are sent, from the constitutive update: T and K, where the force on i from j is
@@ -100,7 +102,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   struct Candidates {
     std::vector<int> first{0};           // of each block, and one behind the last
     std::vector<int> further;            // see GATHERED
-    std::vector<unsigned char> lanes;    // which lanes have one
+    std::vector<Bits> lanes;             // which lanes have one
     std::vector<char> mirrored;          // is an image among them?
     std::vector<int> gathered;           // LANES columns each
     std::size_t count = 0;
@@ -116,15 +118,15 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   struct Pairs {
     std::vector<int> first, count, near_first, near_count;    // of blocks
     Room<int> further;
-    Room<unsigned char> lanes;    // which lanes have a pair
+    Room<Bits> lanes;    // which lanes have a pair
     Room<float> factor;           // 0 in the others
     Room<int> near;               // slots with a nearest neighbor
     Room<float> near_kernel;      // of those: Wbar_ij h0^D
-    Room<double> near_pull;       // weights safe: force on i = m_i/2 near_pull x_ij
-    Room<double> pull;            // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
-    Room<double> crowd;           // with artificial stress: (W/W(spacing))^n
+    Room<Number> near_pull;       // weights safe: force on i = m_i/2 near_pull x_ij
+    Room<Number> pull;            // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
+    Room<Number> crowd;           // with artificial stress: (W/W(spacing))^n
   } pairs;
-  Rows mu_max;             // of own: largest approach rate, for a time step limit
+  Numbers mu_max;             // of own: largest approach rate, for a time step limit
   int nuncorrected = 0;    // particles with neighbors and B = 1
 
   static bool are_alike(const std::vector<TypeData> &types)
@@ -138,7 +140,7 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
       if (type.h > 0.0 && (differs(h, type.h) || differs(spacing, type.spacing))) return false;
     return true;
   }
-  Places places() const override { return {T, LAST, at_da}; }
+  Sent sent() const override { return {T, LAST, at_da}; }
 
   // candidates
   struct Arranging;
@@ -191,12 +193,12 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   int update(const Particles &, int block, const Batch &, Sums &, double dt, Totals &);
   Tensors tension_stress(const Tensors &) const;
   // of a pair
-  template <bool UNIFORM> Pack mean_h(const double *i, const double *j) const
+  template <bool UNIFORM> Pack mean_h(const Number *i, const Number *j) const
   {
     return UNIFORM ? Pack(common_h) : 0.5 * (component(i, at_h) + component(j, at_h));
   }
   // support of Wbar of a particle
-  template <bool UNIFORM> Pack near_of(const double *i) const
+  template <bool UNIFORM> Pack near_of(const Number *i) const
   {
     return UNIFORM ? Pack(common_near) : component(i, at_near);
   }
@@ -220,27 +222,27 @@ template <int D> class EulerianSweeps : public ColumnSweeps<D> {
   // compiler would do for members.  CONSERVATIVE: for these weights, others are known by the option
   template <bool CONSERVATIVE> class NearFactors {
    public:
-    NearFactors(const EulerianSweeps &s, const Nearest &near, const double *i) :
+    NearFactors(const EulerianSweeps &s, const Nearest &near, const Number *i) :
         kernels(s.pairs.near_kernel.data() + near.pair),
         pulls(s.safe() ? s.pairs.near_pull.data() + near.pair : nullptr), weights(s.opt.weights),
         own(component(i, LAST))
     {
     }
     // of the nth of them
-    [[gnu::always_inline]] Pack operator()(int n, const double *j) const
+    [[gnu::always_inline]] Pack operator()(int n, const Number *j) const
     {
       return !CONSERVATIVE && pulls ? load(pulls + n * LANES) : weight(n, j);
     }
-    [[gnu::always_inline]] Pack weight(int n, const double *j) const
+    [[gnu::always_inline]] Pack weight(int n, const Number *j) const
     {
       return correction_weight_of_inverse(CONSERVATIVE ? Weights::CONSERVATIVE : weights,
-                                          component(j, MASS) * load(kernels + n * LANES), own,
+                                          component(j, MASS) * Precision::load(kernels + n * LANES), own,
                                           component(j, LAST));
     }
 
    private:
     const float *const kernels;
-    const double *const pulls;
+    const Number *const pulls;
     const Weights weights;
     const Pack own;    // 1/n
   };

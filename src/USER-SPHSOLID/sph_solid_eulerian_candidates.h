@@ -34,8 +34,8 @@ constexpr int PRICE = 4;
 constexpr double WORTH_ANOTHER_ORDER = 2.5, MUCH_BETTER = 0.9;
 constexpr std::size_t MANY = 1000;
 
-template <int D>
-void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
 {
   Base::find_image_candidates(p, list, p.x, reach);
   nparticles = p.nall;
@@ -52,8 +52,8 @@ void EulerianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &li
   make_room_for_pairs();
 }
 
-template <int D>
-void EulerianSweeps<D>::try_other_order(const Particles &p, const NeighborRows &list)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::try_other_order(const Particles &p, const NeighborRows &list)
 {
   const double before = work();
   by_position = !by_position;
@@ -64,7 +64,7 @@ void EulerianSweeps<D>::try_other_order(const Particles &p, const NeighborRows &
   arrange_candidates(p, list);
 }
 
-template <int D> void EulerianSweeps<D>::place_constants(const Particles &p, int i, int column)
+template <int D, class Precision> void EulerianSweeps<D, Precision>::place_constants(const Particles &p, int i, int column)
 {
   const TypeData &type = types[p.type[i]];
   columns.set(column, MASS, p.mass[i]);
@@ -80,7 +80,7 @@ template <int D> void EulerianSweeps<D>::place_constants(const Particles &p, int
    put in rows by their positions
 ------------------------------------------------------------------------- */
 
-template <int D> void EulerianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list)
+template <int D, class Precision> void EulerianSweeps<D, Precision>::place_columns(const Particles &p, const NeighborRows &list)
 {
   struct Place {
     std::int64_t key;
@@ -138,12 +138,12 @@ template <int D> void EulerianSweeps<D>::place_columns(const Particles &p, const
    their order
 ------------------------------------------------------------------------- */
 
-template <int D> struct EulerianSweeps<D>::Arranging {
+template <int D, class Precision> struct EulerianSweeps<D, Precision>::Arranging {
   const EulerianSweeps &of;
   const NeighborRows &list;
   const int first_image;                    // column
   std::vector<int> distances;               // how many columns further there are candidates
-  std::vector<unsigned char> together;      // which lanes have one as much further
+  std::vector<Bits> together;      // which lanes have one as much further
   std::vector<std::int64_t> lane[LANES];    // of each candidate what `ranked` has, in this order
   Candidates found;
 
@@ -194,7 +194,7 @@ template <int D> struct EulerianSweeps<D>::Arranging {
 
  private:
   static int column(std::int64_t candidate) { return static_cast<int>(candidate & 0x7FFFFFFF); }
-  unsigned char &with(int columns_apart) { return together[columns_apart + of.end_of_columns]; }
+  Bits &with(int columns_apart) { return together[columns_apart + of.end_of_columns]; }
   bool is_rare(int columns_apart)
   {
     return PRICE * count_lanes(with(columns_apart), LANES) <= LANES ||
@@ -220,9 +220,9 @@ template <int D> struct EulerianSweeps<D>::Arranging {
         const int column = of.column_of[row];
         if (column < 0) return;    // no material
         among_own = among_own && column < of.end_of_own;
-        unsigned char &lanes = with(column - own);
+        Bits &lanes = with(column - own);
         if (!lanes) distances.push_back(column - own);
-        lanes |= static_cast<unsigned char>(1u << m);
+        lanes |= static_cast<Bits>(1u << m);
         found.count++;
       });
     }
@@ -289,7 +289,7 @@ template <int D> struct EulerianSweeps<D>::Arranging {
       const int columns = side_by_side ? further : apart[m];
       mirrored = mirrored || ((taken >> m & 1) && first + m + columns >= first_image);
     }
-    found.lanes.push_back(static_cast<unsigned char>(taken));
+    found.lanes.push_back(static_cast<Bits>(taken));
     found.mirrored.push_back(mirrored);
     if (side_by_side) {
       found.further.push_back(of.columns.from(first, first + further));
@@ -301,7 +301,7 @@ template <int D> struct EulerianSweeps<D>::Arranging {
   }
 };
 
-template <int D> void EulerianSweeps<D>::Candidates::append(const Candidates &other)
+template <int D, class Precision> void EulerianSweeps<D, Precision>::Candidates::append(const Candidates &other)
 {
   count += other.count;
   const int slots = first.back(), vectors = static_cast<int>(gathered.size() / LANES);
@@ -313,8 +313,8 @@ template <int D> void EulerianSweeps<D>::Candidates::append(const Candidates &ot
   gathered.insert(gathered.end(), other.gathered.begin(), other.gathered.end());
 }
 
-template <int D>
-void EulerianSweeps<D>::arrange_candidates(const Particles &p, const NeighborRows &list)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::arrange_candidates(const Particles &p, const NeighborRows &list)
 {
   place_columns(p, list);
   this->size_columns(components(), false);
@@ -331,14 +331,14 @@ void EulerianSweeps<D>::arrange_candidates(const Particles &p, const NeighborRow
 
 // of slots, over that of as many as candidates would fill
 
-template <int D> double EulerianSweeps<D>::work() const
+template <int D, class Precision> double EulerianSweeps<D, Precision>::work() const
 {
   const double slots = static_cast<double>(candidates.lanes.size() * LANES) +
       static_cast<double>(candidates.gathered.size()) * (PRICE - 1);
   return candidates.count ? slots / static_cast<double>(candidates.count) : 1.0;
 }
 
-template <int D> void EulerianSweeps<D>::make_room_for_pairs()
+template <int D, class Precision> void EulerianSweeps<D, Precision>::make_room_for_pairs()
 {
   const std::size_t n = candidates.further.size(), all = n * LANES;
   for (std::vector<int> *of : {&pairs.first, &pairs.count, &pairs.near_first, &pairs.near_count})
@@ -355,7 +355,7 @@ template <int D> void EulerianSweeps<D>::make_room_for_pairs()
   if (this->limits_step) mu_max.assign(end_of_own, 0.0);
 }
 
-template <int D> int EulerianSweeps<D>::neighbor_count(int i) const
+template <int D, class Precision> int EulerianSweeps<D, Precision>::neighbor_count(int i) const
 {
   const int column = column_of[i], block = column / LANES;
   int n = 0;
@@ -364,7 +364,7 @@ template <int D> int EulerianSweeps<D>::neighbor_count(int i) const
   return n;
 }
 
-template <int D> double EulerianSweeps<D>::memory_usage() const
+template <int D, class Precision> double EulerianSweeps<D, Precision>::memory_usage() const
 {
   std::size_t all = 0, near = 0;    // what is in use of the room for candidates
   for (const int n : pairs.count) all += n;

@@ -27,8 +27,8 @@ namespace {
    energy is constant to rounding for any displacement that the kick makes
 ------------------------------------------------------------------------- */
 
-template <int D>
-void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::heat(const Particles &p, const NeighborRows &, double *heat)
 {
   this->mirror_vectors(V);
   Totals totals;
@@ -59,25 +59,25 @@ void EulerianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *h
 // K_j (u_j - u_i) (x) g, the sigma_i half of eq. 20, exact adjoint of the force, and the same of the
 // artificial stress; of the viscosity half of each pair's, without its factors
 
-template <int D>
+template <int D, class Precision>
 template <bool PULL, bool TENSILE>
-void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
+void EulerianSweeps<D, Precision>::add_power(int block, Pack &stress, Pack &viscous) const
 {
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   const int first = pairs.first[block], count = pairs.count[block];
   const int *further = pairs.further.data() + first;
   const std::size_t first_pair = first * std::size_t(LANES);
   const float *factors = pairs.factor.data() + first_pair;
-  const double *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
+  const Number *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   Neighbors neighbors(*this, block, X, V + D, K, PULL ? FIXED : K + 1);
   neighbors.ask_ahead(further, count);
-  const Components<D> own = Base::own_motion(i);
-  TensorSums<D> moved, crowded;
+  const Motion own(*this, i);
+  TensorSums<D, Pack> moved, crowded;
   Pack pulled = 0.0;
   for (int s = 0; s < count; s++) {
-    const double *j = neighbors(further[s]);
-    const Components<D> d = motion(own, j);
-    const Pack KF = load(factors + s * LANES) * component(j, K);
+    const Number *j = neighbors(further[s]);
+    const Parts d = own.from(j);
+    const Pack KF = Precision::load(factors + s * LANES) * component(j, K);
     Pack g[D];
     for (int a = 0; a < D; a++) g[a] = KF * d.x[a];
     moved.add(d.v, g);
@@ -98,9 +98,11 @@ void EulerianSweeps<D>::add_power(int block, Pack &stress, Pack &viscous) const
 
 // of a block -4/m_i of what the correction heats
 
-template <int D> template <bool EVENLY> Pack EulerianSweeps<D>::corrected_power(int block) const
+template <int D, class Precision>
+template <bool EVENLY>
+typename EulerianSweeps<D, Precision>::Pack EulerianSweeps<D, Precision>::corrected_power(int block) const
 {
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   const int *further = pairs.further.data();
@@ -109,7 +111,7 @@ template <int D> template <bool EVENLY> Pack EulerianSweeps<D>::corrected_power(
   const typename Base::template CorrectionHeat<EVENLY> heat(*this, i, along());
   Pack power = 0.0;
   for (int n = 0; n < near.count; n++) {
-    const double *j = neighbors(further[near.slot[n]]);
+    const Number *j = neighbors(further[near.slot[n]]);
     power = multiply_add(factor(n, j), heat.of(j), power);
   }
   return power;
@@ -119,22 +121,23 @@ template <int D> template <bool EVENLY> Pack EulerianSweeps<D>::corrected_power(
    virial: of a block sum f_ij (x) x_ij
 ------------------------------------------------------------------------- */
 
-template <int D>
-typename EulerianSweeps<D>::Tensors EulerianSweeps<D>::block_virial(const Particles &p, int block,
+template <int D, class Precision>
+typename EulerianSweeps<D, Precision>::Tensors EulerianSweeps<D, Precision>::block_virial(const Particles &p, int block,
                                                                     const Batch &batch) const
 {
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
   const NearFactors<false> factor(*this, near, i);
   const Pack mass = batch.load(p.mass), own_K = component(i, K);
-  TensorSums<D> sum;
+  TensorSums<D, Pack> sum;
+  const Motion own(*this, i);
   Neighbors neighbors(*this, block, X, components());
   int n = 0;    // of the nearest ones
   for (int s = pairs.first[block]; s < pairs.first[block] + pairs.count[block]; s++) {
     const std::size_t k = s * std::size_t(LANES);
-    const double *j = neighbors(pairs.further[s]);
-    const Components<D> d = motion(i, j);
-    const Pack KF = own_K * component(j, K) * load(&pairs.factor[k]);
+    const Number *j = neighbors(pairs.further[s]);
+    const Parts d = own.from(j);
+    const Pack KF = own_K * component(j, K) * Precision::load(&pairs.factor[k]);
     Pack f[D], central = 0.0;
     if (keeps_pairs()) central = mass * Base::whole_pull(i, j, LAST, load(&pairs.pull[k]));
     for (int a = 0; a < D; a++) {

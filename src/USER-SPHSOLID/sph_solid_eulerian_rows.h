@@ -23,10 +23,10 @@
 
 namespace {
 
-template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
+template <int D, class Precision> void EulerianSweeps<D, Precision>::pack_kinematics(const Particles &p, const double *const *v)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
-    this->pack_vectors(block, batch, X, p.x);
+    this->pack_places(block, batch, p.x);
     this->pack_vectors(block, batch, V, v);
     columns.store(block * LANES, VOLUME,
                   unit_factor * batch.load(p.mass) / batch.load(p.rho_weight));
@@ -39,14 +39,14 @@ template <int D> void EulerianSweeps<D>::pack_kinematics(const Particles &p, con
   for (int k = 0; k < images.count(); k++) this->mirror_component(VOLUME, 1.0, k);
 }
 
-template <int D>
-void EulerianSweeps<D>::unpack(Message what, const Particles &p, int i, const double *in)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::unpack(Message what, const Particles &p, int i, const double *in)
 {
   Base::unpack(what, p, i, in);
   if (what == Message::STRESS && column_of[i] >= 0) p.rho[i] = in[RHO - T];
 }
 
-template <int D> void EulerianSweeps<D>::mirror_stress()
+template <int D, class Precision> void EulerianSweeps<D, Precision>::mirror_stress()
 {
   for (int k = 0; k < images.count(); k++) {
     double sign[3];
@@ -60,15 +60,15 @@ template <int D> void EulerianSweeps<D>::mirror_stress()
   if (keeps_pairs()) make_room(pairs.pull, pairs.factor.size());
 }
 
-template <int D>
-double EulerianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &) const
+template <int D, class Precision>
+double EulerianSweeps<D, Precision>::time_step_limit(const Particles &p, const NeighborRows &) const
 {
   const NeighborRows list = own_list();
   return Base::least_of(blocks(), NO_LIMIT, [&](int first, int end) {
     double limit = NO_LIMIT;
     for (int block = first; block < end; block++) {
       const Batch batch(list, block * LANES);
-      const double *i = columns.at(block * LANES);
+      const Number *i = columns.at(block * LANES);
       limit = std::min(limit,
                        least(Base::step_limit(Base::smoothing_lengths(p, batch),
                                               Base::shear_moduli(p, batch), component(i, RHO),

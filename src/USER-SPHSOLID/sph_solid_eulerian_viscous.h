@@ -23,15 +23,15 @@
 
 namespace {
 
-template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const NeighborRows &)
+template <int D, class Precision> void EulerianSweeps<D, Precision>::find_switch(const Particles &p, const NeighborRows &)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
-    const double *i = columns.at(block * LANES);
-    typename Base::Jumps jumps(i, Base::smoothing_lengths(p, batch));
+    const Number *i = columns.at(block * LANES);
+    typename Base::Jumps jumps(*this, i, Base::smoothing_lengths(p, batch));
     Neighbors neighbors(*this, block, X, at_da);
     for (int s = pairs.first[block]; s < pairs.first[block] + pairs.count[block]; s++) {
-      const double *j = neighbors(pairs.further[s]);
-      const Pack V_F = load(&pairs.factor[s * std::size_t(LANES)]) * component(j, VOLUME);
+      const Number *j = neighbors(pairs.further[s]);
+      const Pack V_F = Precision::load(&pairs.factor[s * std::size_t(LANES)]) * component(j, VOLUME);
       jumps.add(j, at_rate, -V_F);
     }
     columns.store(block * LANES, LAST, component(i, LAST) * jumps.unresolved());
@@ -43,7 +43,7 @@ template <int D> void EulerianSweeps<D>::find_switch(const Particles &p, const N
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D> void EulerianSweeps<D>::correction(const Particles &p, const NeighborRows &)
+template <int D, class Precision> void EulerianSweeps<D, Precision>::correction(const Particles &p, const NeighborRows &)
 {
   this->mirror_vectors(at_da);
   with_flag(opt.weights == Weights::CONSERVATIVE, [&](auto conservative) {
@@ -54,12 +54,12 @@ template <int D> void EulerianSweeps<D>::correction(const Particles &p, const Ne
   });
 }
 
-template <int D>
+template <int D, class Precision>
 template <bool CONSERVATIVE>
-void EulerianSweeps<D>::correct_block(const Particles &p, int block, const Batch &batch)
+void EulerianSweeps<D, Precision>::correct_block(const Particles &p, int block, const Batch &batch)
 {
   const std::ptrdiff_t at = along() * std::ptrdiff_t(NEXT);
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
   Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
   const int *further = pairs.further.data();
@@ -71,7 +71,7 @@ void EulerianSweeps<D>::correct_block(const Particles &p, int block, const Batch
     f[a] = 0.0;
   }
   for (int n = 0; n < near.count; n++) {
-    const double *j = neighbors(further[near.slot[n]]);
+    const Number *j = neighbors(further[near.slot[n]]);
     const Pack w = factor(n, j);
     for (int a = 0; a < D; a++) f[a] = multiply_add(w, own_along[a] - component(j + at, a), f[a]);
   }
@@ -82,14 +82,14 @@ void EulerianSweeps<D>::correct_block(const Particles &p, int block, const Batch
 
 // weights safe
 
-template <int D> void EulerianSweeps<D>::safe_pulls(int block)
+template <int D, class Precision> void EulerianSweeps<D, Precision>::safe_pulls(int block)
 {
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
   const NearFactors<false> factor(*this, near, i);
   Neighbors neighbors(*this, block, X, MASS + 1, LAST, at_da + D);
   for (int n = 0; n < near.count; n++) {
-    const double *j = neighbors(pairs.further[near.slot[n]]);
+    const Number *j = neighbors(pairs.further[near.slot[n]]);
     store(&pairs.near_pull[near.pair + n * LANES],
           factor.weight(n, j) * Base::safe_pull_of(i, j, at_da));
   }

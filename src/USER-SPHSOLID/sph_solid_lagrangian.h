@@ -58,10 +58,10 @@
 
 namespace {
 
-template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
+template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D, Precision> {
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      ColumnSweeps<D>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
+      ColumnSweeps<D, Precision>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
       at_along(safe() ? X : at_da), at_rho(at_da + (needs_correction() ? D : 0)),
       damping_unit(Base::largest(t, [](const TypeData &type) {
         return type.material.longitudinal_modulus();
@@ -89,15 +89,17 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   double memory_usage() const override;
 
  private:
-  using Base = ColumnSweeps<D>;
+  using Base = ColumnSweeps<D, Precision>;
+  using typename Base::Batch, typename Base::Motion, typename Base::Number, typename Base::Numbers,
+      typename Base::Pack, typename Base::Parts, typename Base::Places, typename Base::Sent,
+      typename Base::Single, typename Base::Tensors, typename Base::Totals;
   using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
       Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
-      Base::image_j, Base::images, Base::keeps_pairs, Base::lonely, Base::mirror_vectors,
+      Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::mirror_vectors,
       Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt,
       Base::own, Base::own_list, Base::particles_of, Base::repeat_last, Base::safe, Base::source_of,
       Base::standard_power, Base::store_tensor, Base::stretching, Base::SYMMETRIC, Base::tensor,
       Base::types, Base::unit_factor, Base::V, Base::with_rows, Base::X;
-  using typename Base::Batch, typename Base::Tensors, typename Base::Totals, typename Base::Places;
 
   // components of a column behind positions and velocities: positions in the reference,
   // V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
@@ -113,24 +115,26 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   const int at_along;    // what the correction's force on a pair is along
   const int at_rho;
   int components() const { return at_rho + (this->unlike ? 1 : 0); }
-  Places places() const override { return {T, LAST, at_da}; }
+  Sent sent() const override { return {T, LAST, at_da}; }
 
+  using Slots = SlotsOf<LANES>;
   Slots slots;
   // of own particles: B on and above the diagonal, sum V0_j g_ij
-  Rows B, gradient_sum;
-  Rows uncorrected_force;    // of own: what the correction adds to p.f along with its own part
+  Numbers B, gradient_sum;
+  Numbers uncorrected_force;    // of own: what the correction adds to p.f along with its own part
   // of slots: the hourglass force on i is damping_unit V0_i V0_j/h0^(D+2) damp x_ij.  damp, the same
   // from both sides and in any units, is rounded to single precision before it is a force, so that
   // its heat is that of the force
   SingleRows damp;
   const double damping_unit;    // [pressure] the largest modulus of all materials
-  Rows pull;                    // of slots: viscous force on i = -V0_i pull x_ij, kept for heat
+  Numbers pull;                    // of slots: viscous force on i = -V0_i pull x_ij, kept for heat
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
-  SharedVectors<double, LANES> near_weight;
-  Rows near_pull;
+  using NearWeights = SharedVectors<Number, LANES>;
+  NearWeights near_weight;
+  Numbers near_pull;
   std::vector<int> near_in_order;
-  Rows mu_max, early;    // of own: largest approach rate; power of forces on their velocities
+  Numbers mu_max, early;    // of own: largest approach rate; power of forces on their velocities
   Totals early_totals;
   bool weights_known = false;
   int nuncorrected = 0;    // particles with partners and B = 1
@@ -166,13 +170,13 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
         further(s.slots.further.data()), foremost(s.slots.foremost.data())
     {
     }
-    [[gnu::always_inline]] const double *operator()(int slot)
+    [[gnu::always_inline]] const Number *operator()(int slot)
     {
       return View::operator()(further[slot]);
     }
     int column(int slot, int lane) const { return View::column(further[slot], lane); }
     // ask for what the blocks to come read of the columns that this slot reads
-    template <int END> void prefetch_ahead(int slot, const double *j) const
+    template <int END> void prefetch_ahead(int slot, const Number *j) const
     {
       if (foremost[slot])
         Base::prefetch_components(j + Base::AHEAD, std::make_integer_sequence<int, END>());
@@ -183,15 +187,15 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
     const char *const foremost;
   };
   // V0_j grad_i W = this times X_ij; of the constants of a slot
-  static Pack factor(const float *constants, const double *j)
+  static Pack factor(const float *constants, const Number *j)
   {
-    return load(constants + Slots::FACTOR) * component(j, WEIGHT);
+    return Precision::load(constants + Slots::FACTOR) * component(j, WEIGHT);
   }
   // of a pair u_i - u_j, what x_ij differs from X_ij, and -V0_j g_ij
-  [[gnu::always_inline]] static void displacement(const double *i, const double *j, const Pack *x,
-                                                  Pack minus_F, Pack *u, Pack *g)
+  [[gnu::always_inline]] void displacement(const Number *i, const Number *j, const Pack *x,
+                                           Pack minus_F, Pack *u, Pack *g) const
   {
-    difference(i, j, REFERENCE, g);
+    Places(*this, i, REFERENCE).apart(j, REFERENCE, g);
     for (int a = 0; a < D; a++) {
       u[a] = x[a] - g[a];
       g[a] = minus_F * g[a];
@@ -201,21 +205,21 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   {
     return (1.0 / unit_factor) * component(columns.at(block * LANES), WEIGHT);
   }
-  Pack factor(int slot, const double *j) const { return factor(slots.constants.of(slot), j); }
-  double *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
-  const double *correction_of(int block) const
+  Pack factor(int slot, const Number *j) const { return factor(slots.constants.of(slot), j); }
+  Number *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
+  const Number *correction_of(int block) const
   {
     return &B[block * std::size_t(SYMMETRIC) * LANES];
   }
-  double *uncorrected_force_of(int block)
+  Number *uncorrected_force_of(int block)
   {
     return &uncorrected_force[block * std::size_t(D) * LANES];
   }
-  double *gradient_sum_of(int block) { return &gradient_sum[block * std::size_t(D) * LANES]; }
+  Number *gradient_sum_of(int block) { return &gradient_sum[block * std::size_t(D) * LANES]; }
   Tensors load_correction(int block) const
   {
     Tensors t;
-    const double *at = correction_of(block);
+    const Number *at = correction_of(block);
     for (int a = 0; a < D; a++)
       for (int b = a; b < D; b++, at += LANES) t(a, b) = t(b, a) = load(at);
     return t;
@@ -235,7 +239,7 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
   // for each slot, which a compiler would do for members
   struct Kept {
     const float *damping;
-    const double *pulls;
+    const Number *pulls;
     Pack drift;
   };
   Kept kept() const
@@ -244,15 +248,15 @@ template <int D> class LagrangianSweeps : public ColumnSweeps<D> {
             Pack(this->due.drift)};
   }
   template <Work WORK>
-  void add_work(const Kept &, int slot, const double *i, const double *j, const Components<D> &,
+  void add_work(const Kept &, int slot, const Number *i, const Number *j, const Parts &,
                 PairWork &) const;
   // of a pair of nearest partners: what its force is along, and what it is times m_i/2
-  Pack corrected_along(const double *i, const double *j, int a) const
+  Pack corrected_along(const Number *i, const Number *j, int a) const
   {
     return component(i, at_along + a) - component(j, at_along + a);
   }
   // what the nearest pairs of a block are multiplied by
-  SharedVectors<double, LANES>::Run near_factors(int block) const
+  typename NearWeights::Run near_factors(int block) const
   {
     const int first = slots.near_first[block];
     if (safe()) return {near_in_order.data() + first, near_pull.data()};

@@ -27,10 +27,10 @@ namespace {
    of each pair's of viscosity and hourglass damping
 ------------------------------------------------------------------------- */
 
-template <int D>
-template <typename LagrangianSweeps<D>::Work WORK>
-inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double *i, const double *j,
-                                          const Components<D> &d, PairWork &work) const
+template <int D, class Precision>
+template <typename LagrangianSweeps<D, Precision>::Work WORK>
+inline void LagrangianSweeps<D, Precision>::add_work(const Kept &kept, int s, const Number *i, const Number *j,
+                                          const Parts &d, PairWork &work) const
 {
   const std::size_t k = s * std::size_t(LANES);
   Pack along = 0.0;    // velocities along distances when the forces were found
@@ -40,7 +40,7 @@ inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double 
   }
   if (kept.damping)
     work.hourglass =
-        multiply_add(component(j, WEIGHT) * load(kept.damping + k), along, work.hourglass);
+        multiply_add(component(j, WEIGHT) * Precision::load(kept.damping + k), along, work.hourglass);
   if (kept.pulls)
     work.viscous =
         multiply_add(Base::heated_pull(i, j, LAST, load(kept.pulls + k)), along, work.viscous);
@@ -50,13 +50,13 @@ inline void LagrangianSweeps<D>::add_work(const Kept &kept, int s, const double 
    heat on the way: the share of the velocities that come after the forces
 ------------------------------------------------------------------------- */
 
-template <int D> bool LagrangianSweeps<D>::can_keep_heat() const
+template <int D, class Precision> bool LagrangianSweeps<D, Precision>::can_keep_heat() const
 {
   if (!opt.energy) return false;
   return !needs_correction() || Base::heats_evenly();
 }
 
-template <int D> void LagrangianSweeps<D>::add_due_heat(const Particles &p, const NeighborRows &)
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::add_due_heat(const Particles &p, const NeighborRows &)
 {
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     Sums sums = accumulate<Work::DUE>(block);
@@ -66,7 +66,7 @@ template <int D> void LagrangianSweeps<D>::add_due_heat(const Particles &p, cons
   enter_due(totals);
 }
 
-template <int D> void LagrangianSweeps<D>::enter_due(const Totals &late)
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::enter_due(const Totals &late)
 {
   Base::enter(early_totals, this->due.factor);
   Base::enter(late, this->due.factor);
@@ -76,8 +76,8 @@ template <int D> void LagrangianSweeps<D>::enter_due(const Totals &late)
 
 // the work of forces on the particles of a block; of the stress the half with sigma_i
 
-template <int D>
-typename LagrangianSweeps<D>::Power LagrangianSweeps<D>::power(int block, Pack mass,
+template <int D, class Precision>
+typename LagrangianSweeps<D, Precision>::Power LagrangianSweeps<D, Precision>::power(int block, Pack mass,
                                                                const Sums &sums) const
 {
   const Pack V0 = own_volume(block);
@@ -86,8 +86,8 @@ typename LagrangianSweeps<D>::Power LagrangianSweeps<D>::power(int block, Pack m
           -0.25 * mass * sums.work.corrected, (-0.5 * damping_unit) * V0 * sums.work.hourglass};
 }
 
-template <int D>
-void LagrangianSweeps<D>::enter_block(int block, Pack mass, int n, const Power &power,
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::enter_block(int block, Pack mass, int n, const Power &power,
                                       Totals &totals) const
 {
   const Pack standard = standard_power(columns.at(block * LANES), mass);
@@ -99,8 +99,8 @@ void LagrangianSweeps<D>::enter_block(int block, Pack mass, int n, const Power &
 // what the last evaluation's forces do to the particles of a block,
 // with the velocities of that evaluation, known since, plus these
 
-template <int D>
-void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Batch &batch,
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::add_late_heat(const Particles &p, int block, const Batch &batch,
                                         const Sums &sums, Totals &totals) const
 {
   const Pack mass = batch.load(p.mass);
@@ -114,8 +114,8 @@ void LagrangianSweeps<D>::add_late_heat(const Particles &p, int block, const Bat
    heat of a sweep of its own
 ------------------------------------------------------------------------- */
 
-template <int D>
-void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double *heat)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::heat(const Particles &p, const NeighborRows &, double *heat)
 {
   mirror_vectors(V);
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
@@ -134,23 +134,25 @@ void LagrangianSweeps<D>::heat(const Particles &p, const NeighborRows &, double 
    virial: of a block sum f_ij (x) x_ij
 ------------------------------------------------------------------------- */
 
-template <int D>
-typename LagrangianSweeps<D>::Tensors
-LagrangianSweeps<D>::block_virial(const Particles &p, int block, const Batch &batch) const
+template <int D, class Precision>
+typename LagrangianSweeps<D, Precision>::Tensors
+LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block, const Batch &batch) const
 {
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   const Pack V0 = own_volume(block), half_mass = 0.5 * batch.load(p.mass);
   const auto near = near_factors(block);
-  TensorSums<D> sum;
+  TensorSums<D, Pack> sum;
+  const Motion own(*this, i);
+  const Places own_reference(*this, i, REFERENCE);
   Neighbors neighbors(*this, block, at_da, at_da);
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
     const std::size_t k = s * std::size_t(LANES);
     const int n = s - slots.first[block];
-    const double *j = neighbors(s);
-    const Components<D> d = motion(i, j);
+    const Number *j = neighbors(s);
+    const Parts d = own.from(j);
     Pack reference[D], f[D], central = 0.0;
-    difference(i, j, REFERENCE, reference);
-    if (opt.hourglass > 0.0) central += damping_unit * component(j, WEIGHT) * load(&damp[k]);
+    own_reference.apart(j, REFERENCE, reference);
+    if (opt.hourglass > 0.0) central += damping_unit * component(j, WEIGHT) * Precision::load(&damp[k]);
     if (keeps_pairs()) central -= Base::whole_pull(i, j, LAST, load(&pull[k]));
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;

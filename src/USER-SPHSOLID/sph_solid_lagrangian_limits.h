@@ -35,16 +35,17 @@ constexpr double STEP_STRETCH = 0.05;
 // F of a block's particles at the last evaluation.  It is asked for in few steps: summed anew in these it
 // costs less than its way to memory in all of them
 
-template <int D>
-typename LagrangianSweeps<D>::Tensors LagrangianSweeps<D>::deformation(int block) const
+template <int D, class Precision>
+typename LagrangianSweeps<D, Precision>::Tensors LagrangianSweeps<D, Precision>::deformation(int block) const
 {
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   Neighbors neighbors(*this, block, T);
-  TensorSums<D> sum;
+  const Places own(*this, i, X);
+  TensorSums<D, Pack> sum;
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
-    const double *j = neighbors(slot);
+    const Number *j = neighbors(slot);
     Pack x[D], u[D], g[D];
-    difference(i, j, X, x);
+    own.apart(j, X, x);
     displacement(i, j, x, -factor(slot, j), u, g);
     sum.add(u, g);
   }
@@ -56,14 +57,14 @@ typename LagrangianSweeps<D>::Tensors LagrangianSweeps<D>::deformation(int block
    time step
 ------------------------------------------------------------------------- */
 
-template <int D>
-double LagrangianSweeps<D>::time_step_limit(const Particles &p, const NeighborRows &) const
+template <int D, class Precision>
+double LagrangianSweeps<D, Precision>::time_step_limit(const Particles &p, const NeighborRows &) const
 {
   return least_limit(p, nullptr);
 }
 
-template <int D>
-double LagrangianSweeps<D>::scaled_time_step_limit(const Particles &p,
+template <int D, class Precision>
+double LagrangianSweeps<D, Precision>::scaled_time_step_limit(const Particles &p,
                                                    const std::vector<double> &factors) const
 {
   return least_limit(p, factors.data());
@@ -71,8 +72,8 @@ double LagrangianSweeps<D>::scaled_time_step_limit(const Particles &p,
 
 // factors: of types, or null.  Eigenvalues only where the bound could be the least of all
 
-template <int D>
-double LagrangianSweeps<D>::least_limit(const Particles &p, const double *factors) const
+template <int D, class Precision>
+double LagrangianSweeps<D, Precision>::least_limit(const Particles &p, const double *factors) const
 {
   const NeighborRows list = own_list();
   auto stretched = [](auto s) {
@@ -89,7 +90,7 @@ double LagrangianSweeps<D>::least_limit(const Particles &p, const double *factor
     double limit = NO_LIMIT;
     for (int block = first; block < end; block++) {
       const Batch batch(list, block * LANES);
-      const double *i = columns.at(block * LANES);
+      const Number *i = columns.at(block * LANES);
       const Tensors Fi = deformation(block);
       Pack unstretched =
           Base::step_limit(Base::smoothing_lengths(p, batch), Base::shear_moduli(p, batch),
@@ -108,7 +109,7 @@ double LagrangianSweeps<D>::least_limit(const Particles &p, const double *factor
    of each other
 ------------------------------------------------------------------------- */
 
-template <int D> Overload LagrangianSweeps<D>::find_overload() const
+template <int D, class Precision> Overload LagrangianSweeps<D, Precision>::find_overload() const
 {
   const int n = blocks();
   const int block = Base::least_of(n, n, [&](int first, int end) {
@@ -120,7 +121,7 @@ template <int D> Overload LagrangianSweeps<D>::find_overload() const
 
 // of the first particle of a block that is beyond it
 
-template <int D> Overload LagrangianSweeps<D>::overload(int block) const
+template <int D, class Precision> Overload LagrangianSweeps<D, Precision>::overload(int block) const
 {
   const Tensors Fi = deformation(block);
   if (all_positive(room_left(Fi, block))) return {};
@@ -133,16 +134,17 @@ template <int D> Overload LagrangianSweeps<D>::overload(int block) const
 
 // positive for particles that are surely not beyond it
 
-template <int D> Pack LagrangianSweeps<D>::room_left(const Tensors &Fi, int block) const
+template <int D, class Precision> typename LagrangianSweeps<D, Precision>::Pack LagrangianSweeps<D, Precision>::room_left(const Tensors &Fi, int block) const
 {
   Pack room = minimum(stretch_bound<D>(Fi) - LEAST_STRETCH, Fi.determinant());
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
+  const Places own(*this, i, X), own_reference(*this, i, REFERENCE);
   Neighbors neighbors(*this, block, T);
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
-    const double *j = neighbors(slot);
+    const Number *j = neighbors(slot);
     Pack x[D], reference[D], apart = 0.0;
-    difference(i, j, X, x);
-    difference(i, j, REFERENCE, reference);
+    own.apart(j, X, x);
+    own_reference.apart(j, REFERENCE, reference);
     for (int a = 0; a < D; a++)
       apart += x[a] * x[a] - LEAST_STRETCH * LEAST_STRETCH * reference[a] * reference[a];
     room = minimum(room, where_positive(-factor(slot, j), apart, Pack(1.0)));
@@ -150,8 +152,8 @@ template <int D> Pack LagrangianSweeps<D>::room_left(const Tensors &Fi, int bloc
   return room;
 }
 
-template <int D>
-Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane) const
+template <int D, class Precision>
+Overload LagrangianSweeps<D, Precision>::overload(const Tensor<D> &Fi, int block, int lane) const
 {
   const int column = block * LANES + lane, i = own[column];
   if (slots.count[column] == 0) return {};
@@ -165,8 +167,8 @@ Overload LagrangianSweeps<D>::overload(const Tensor<D> &Fi, int block, int lane)
     const int other = neighbors.column(slot, lane);
     double X2 = 0.0, x2 = 0.0;
     for (int a = 0; a < D; a++) {
-      const double dX = columns.get(column, REFERENCE + a) - columns.get(other, REFERENCE + a);
-      const double dx = columns.get(column, X + a) - columns.get(other, X + a);
+      const double dX = Base::apart(column, other, REFERENCE + a);
+      const double dx = Base::apart(column, other, X + a);
       X2 += dX * dX;
       x2 += dx * dx;
     }

@@ -59,8 +59,8 @@ inline std::int64_t id_of(const Particles &p, int i)
   return p.id ? p.id[i] : i;
 }
 
-template <int D>
-int LagrangianSweeps<D>::longest_side(const NeighborRows &list,
+template <int D, class Precision>
+int LagrangianSweeps<D, Precision>::longest_side(const NeighborRows &list,
                                       const std::vector<double> &reference)
 {
   int longest = 0;
@@ -79,8 +79,8 @@ int LagrangianSweeps<D>::longest_side(const NeighborRows &list,
   return longest;
 }
 
-template <int D>
-void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &list,
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::place_columns(const Particles &p, const NeighborRows &list,
                                         const std::vector<double> &reference, int side)
 {
   struct Place {
@@ -126,8 +126,8 @@ void LagrangianSweeps<D>::place_columns(const Particles &p, const NeighborRows &
    body is longer than two ranges of the kernel, or two of its partners would be one
 ------------------------------------------------------------------------- */
 
-template <int D>
-void LagrangianSweeps<D>::unwrap_references(const Particles &p, const NeighborRows &list,
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::unwrap_references(const Particles &p, const NeighborRows &list,
                                             std::vector<double> &reference) const
 {
   std::vector<char> placed(p.nall, 0);
@@ -155,8 +155,8 @@ void LagrangianSweeps<D>::unwrap_references(const Particles &p, const NeighborRo
   }
 }
 
-template <int D>
-std::vector<double> LagrangianSweeps<D>::place_references(const Particles &p,
+template <int D, class Precision>
+std::vector<double> LagrangianSweeps<D, Precision>::place_references(const Particles &p,
                                                           const NeighborRows &list) const
 {
   std::vector<double> reference((p.nall + images.count()) * std::size_t(D));
@@ -174,7 +174,7 @@ std::vector<double> LagrangianSweeps<D>::place_references(const Particles &p,
    the partners of a block's particles, arranged in slots
 ------------------------------------------------------------------------- */
 
-template <int D> struct LagrangianSweeps<D>::Arranging {
+template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arranging {
   LagrangianSweeps &of;
   const Particles &p;
   const NeighborRows &list;
@@ -188,7 +188,7 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
 
   std::vector<Partner> partners[LANES];
   SingleRows constants;        // of the pairs of a block's slots
-  Rows near;                   // m_j Wbar of the nearest
+  Numbers near;                   // m_j Wbar of the nearest
   std::vector<int> offsets;    // of a block's slots, 0: gathered
   Tensor<D> moment[LANES];     // M
   double nsum[LANES];          // n of the correction: sum m_j Wbar
@@ -354,9 +354,9 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
       const bool enough = can_be_corrected<D>(moment[n]);
       if (m == n && !enough && of.slots.count[block * LANES + m] > 0) left++;
       const Tensor<D> inverse = enough ? Tensor<D>(moment[n].inverse()) : Tensor<D>::Identity();
-      double *at = of.correction_of(block) + m;
+      Number *at = of.correction_of(block) + m;
       for (int a = 0; a < D; a++)
-        for (int b = a; b < D; b++, at += LANES) *at = inverse(a, b);
+        for (int b = a; b < D; b++, at += LANES) *at = static_cast<Number>(inverse(a, b));
       const int i = of.own[block * LANES + n];
       of.columns.set(block * LANES + m, DENSITY, p.mass[i] / p.vref[i] * inverse.trace() / D);
       if (of.needs_correction()) of.columns.set(block * LANES + m, LAST, rounded(nsum[n]));
@@ -370,8 +370,8 @@ template <int D> struct LagrangianSweeps<D>::Arranging {
    such moments
 ------------------------------------------------------------------------- */
 
-template <int D>
-void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
 {
   Base::find_image_candidates(p, list, p.xref, reach);
   nparticles = p.nall;
@@ -380,7 +380,7 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
   size_storage(gathered.back());
   for (std::size_t row = 0; row < column_of.size(); row++) {
     if (column_of[row] < 0) continue;
-    columns.set(column_of[row], REFERENCE, &reference[row * D], D);
+    Base::set_places(column_of[row], REFERENCE, &reference[row * D]);
     const int i = source_of(static_cast<int>(row));
     columns.set(column_of[row], WEIGHT, p.vref[i] * unit_factor);
     if (this->unlike) columns.set(column_of[row], at_rho, p.mass[i] / p.vref[i]);
@@ -401,8 +401,8 @@ void LagrangianSweeps<D>::new_neighbors(const Particles &p, const NeighborRows &
 // an order of columns that leaves few places in slots empty, and whether rows are worth having,
 // too; returns how many gathered slots there are before each block, and in all
 
-template <int D>
-std::vector<int> LagrangianSweeps<D>::choose_order(const Particles &p, const NeighborRows &list,
+template <int D, class Precision>
+std::vector<int> LagrangianSweeps<D, Precision>::choose_order(const Particles &p, const NeighborRows &list,
                                                    const std::vector<double> &reference)
 {
   auto room = [&]() {    // for how many times the pairs there are
@@ -434,8 +434,8 @@ std::vector<int> LagrangianSweeps<D>::choose_order(const Particles &p, const Nei
 
 // place columns and find out how many slots blocks have
 
-template <int D>
-std::vector<int> LagrangianSweeps<D>::count_slots(const Particles &p, const NeighborRows &list,
+template <int D, class Precision>
+std::vector<int> LagrangianSweeps<D, Precision>::count_slots(const Particles &p, const NeighborRows &list,
                                                   const std::vector<double> &reference, int side)
 {
   place_columns(p, list, reference, side);
@@ -454,9 +454,9 @@ std::vector<int> LagrangianSweeps<D>::count_slots(const Particles &p, const Neig
 
 // call(Arranging, block), one of them per thread
 
-template <int D>
+template <int D, class Precision>
 template <class Call>
-void LagrangianSweeps<D>::each_arranging(const Arranging &first, Call call)
+void LagrangianSweeps<D, Precision>::each_arranging(const Arranging &first, Call call)
 {
   each_share(nthreads, blocks(), [&](int begin, int end) {
     Arranging arranging = first;
@@ -464,7 +464,7 @@ void LagrangianSweeps<D>::each_arranging(const Arranging &first, Call call)
   });
 }
 
-template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::size_storage(int gathered)
 {
   const std::size_t near = static_cast<std::size_t>(slots.near_first.back()) * LANES;
   Base::size_columns(components(), with_rows);
@@ -487,17 +487,17 @@ template <int D> void LagrangianSweeps<D>::size_storage(int gathered)
   weights_known = false;
 }
 
-template <int D> int LagrangianSweeps<D>::neighbor_count(int i) const
+template <int D, class Precision> int LagrangianSweeps<D, Precision>::neighbor_count(int i) const
 {
   return column_of[i] < 0 ? 0 : slots.count[column_of[i]];
 }
 
-template <int D> double LagrangianSweeps<D>::memory_usage() const
+template <int D, class Precision> double LagrangianSweeps<D, Precision>::memory_usage() const
 {
   double bytes = columns.memory_usage() + slots.memory_usage() + near_weight.memory_usage();
-  for (const Rows *rows :
+  for (const Numbers *rows :
        {&B, &gradient_sum, &uncorrected_force, &pull, &near_pull, &mu_max, &early})
-    bytes += static_cast<double>(rows->capacity() * sizeof(double));
+    bytes += static_cast<double>(rows->capacity() * sizeof(Number));
   bytes += static_cast<double>(damp.capacity() * sizeof(float));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }

@@ -23,18 +23,18 @@
 
 namespace {
 
-template <int D>
-void LagrangianSweeps<D>::pack_kinematics(const Particles &p, const double *const *v)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::pack_kinematics(const Particles &p, const double *const *v)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
-    Base::pack_vectors(block, batch, X, p.x);
+    Base::pack_places(block, batch, p.x);
     Base::pack_vectors(block, batch, V, v);
     columns.copy_to_rows(block * LANES, X, REFERENCE);
   });
   Base::pack_ghosts(p, v);
 }
 
-template <int D> void LagrangianSweeps<D>::mirror_stress()
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::mirror_stress()
 {
   for (int k = 0; k < images.count(); k++) {
     double sign[3];

@@ -23,14 +23,14 @@
 
 namespace {
 
-template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const NeighborRows &)
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::find_switch(const Particles &p, const NeighborRows &)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
-    const double *i = columns.at(block * LANES);
-    typename Base::Jumps jumps(i, Base::smoothing_lengths(p, batch));
+    const Number *i = columns.at(block * LANES);
+    typename Base::Jumps jumps(*this, i, Base::smoothing_lengths(p, batch));
     Neighbors neighbors(*this, block, at_da);
     for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
-      const double *j = neighbors(s);
+      const Number *j = neighbors(s);
       jumps.add(j, at_rate, -factor(s, j));
     }
     columns.store(block * LANES, LAST, component(i, LAST) * jumps.unresolved());
@@ -42,7 +42,7 @@ template <int D> void LagrangianSweeps<D>::find_switch(const Particles &p, const
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const NeighborRows &)
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::correction(const Particles &p, const NeighborRows &)
 {
   mirror_vectors(at_da);
   if (!weights_known) find_weights();
@@ -58,12 +58,12 @@ template <int D> void LagrangianSweeps<D>::correction(const Particles &p, const 
 
 // forces and, with heat on the way, their work on the velocities they come from
 
-template <int D>
+template <int D, class Precision>
 template <bool HEATS>
-void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Batch &batch,
+void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block, const Batch &batch,
                                         Totals &totals)
 {
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = first + slots.nearest(block);
   const auto near = near_factors(block);
   const Pack mass = batch.load(p.mass);
@@ -77,7 +77,7 @@ void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Bat
   }
   Neighbors neighbors(*this, block, T, at_da);
   for (int s = first; s < end; s++) {
-    const double *j = neighbors(s);
+    const Number *j = neighbors(s);
     const Pack w = load(near.of(s - first));
     Pack along[D], of_pair = 0.0;
     for (int a = 0; a < D; a++) {
@@ -101,18 +101,18 @@ void LagrangianSweeps<D>::correct_block(const Particles &p, int block, const Bat
 
 // m_j Wbar of the nearest partners becomes a weight: constant until the partners have new indices
 
-template <int D> void LagrangianSweeps<D>::find_weights()
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::find_weights()
 {
-  SharedVectors<double, LANES> weights;
+  NearWeights weights;
   weights.begin(slots.near_first.back());
   each_block([&](int block, const Batch &, Totals &) {
-    const double *i = columns.at(block * LANES);
+    const Number *i = columns.at(block * LANES);
     const int first = slots.first[block];
     const auto near = near_weight.from(slots.near_first[block]);
-    Rows of_block(slots.nearest(block) * LANES);
+    Numbers of_block(slots.nearest(block) * LANES);
     Neighbors neighbors(*this, block, FIXED);
     for (int k = 0; k < slots.nearest(block); k++) {
-      const double *j = neighbors(first + k);
+      const Number *j = neighbors(first + k);
       const Pack m_wbar = load(near.of(k));
       const Pack w = correction_weight(opt.weights, m_wbar, component(i, LAST), component(j, LAST));
       store(&of_block[k * LANES], where_positive(m_wbar, w, Pack(0.0)));
@@ -127,14 +127,14 @@ template <int D> void LagrangianSweeps<D>::find_weights()
 
 // weights safe
 
-template <int D> void LagrangianSweeps<D>::safe_pulls(int block)
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::safe_pulls(int block)
 {
-  const double *i = columns.at(block * LANES);
+  const Number *i = columns.at(block * LANES);
   const auto near = near_weight.from(slots.near_first[block]);
-  double *pulls = near_pull.data() + slots.near_first[block] * std::size_t(LANES);
+  Number *pulls = near_pull.data() + slots.near_first[block] * std::size_t(LANES);
   Neighbors neighbors(*this, block, T, at_da);
   for (int n = 0; n < slots.nearest(block); n++, pulls += LANES) {
-    const double *j = neighbors(slots.first[block] + n);
+    const Number *j = neighbors(slots.first[block] + n);
     store(pulls, load(near.of(n)) * Base::safe_pull_of(i, j, at_da));
   }
 }

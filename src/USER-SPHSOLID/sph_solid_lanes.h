@@ -39,14 +39,14 @@ template <int N, class Call> [[gnu::always_inline]] inline void each_index(const
   each_index(call, std::make_integer_sequence<int, N>());
 }
 
-template <int D> inline Pack dot(const Pack *v, const Pack *w)
+template <int D, class Pack> inline Pack dot(const Pack *v, const Pack *w)
 {
   Pack s = v[0] * w[0];
   for (int a = 1; a < D; a++) s = multiply_add(v[a], w[a], s);
   return s;
 }
 // and s, in as many operations
-template <int D> inline Pack add_dot(Pack s, const Pack *v, const Pack *w)
+template <int D, class Pack> inline Pack add_dot(Pack s, const Pack *v, const Pack *w)
 {
   for (int a = 0; a < D; a++) s = multiply_add(v[a], w[a], s);
   return s;
@@ -54,7 +54,7 @@ template <int D> inline Pack add_dot(Pack s, const Pack *v, const Pack *w)
 
 // of as many pairs as there are lanes: a lane of each component belongs to one of them
 
-template <int D> struct Components {
+template <int D, class Pack> struct Components {
   Pack x[D], v[D];
 
   Pack x_dot_x() const { return dot<D>(x, x); }
@@ -70,7 +70,7 @@ template <int D> struct Components {
 
 // sums of a (x) b over pairs, each of them in a lane of its own
 
-template <int D> struct TensorSums {
+template <int D, class Pack> struct TensorSums {
   Pack sum[D][D];
 
   TensorSums()

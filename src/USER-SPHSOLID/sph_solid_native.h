@@ -12,8 +12,8 @@
 ------------------------------------------------------------------------- */
 
 /* ----------------------------------------------------------------------
-   Four or eight doubles in one variable, and the instruction set: the one place that knows how
-   wide vectors are.
+   Four or eight doubles in one variable, or twice as many numbers in single precision, and the
+   instruction set: the one place that knows how wide vectors are.
 
    GCC and Clang have such vectors and take the widest instructions they were
    given; for any other compiler, and for a test that both give the same
@@ -25,6 +25,7 @@
 #define LMP_SPH_SOLID_NATIVE_H
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #if !defined(__GNUC__) && !defined(SPHSOLID_PORTABLE_VECTOR)
@@ -50,79 +51,83 @@
 namespace SPHSolid {
 
 constexpr int LANES = SPHSOLID_LANES;
+constexpr int WIDE = 2 * LANES;          // as many numbers of single precision are as wide
 constexpr int BLOCK = 4;                 // doubles in a block
 constexpr int BLOCKS = LANES / BLOCK;    // in a pack
 static_assert(LANES == 4 || LANES == 8, "SPHSOLID_LANES is 4 or 8");
 
-// n rounded up to whole vectors
+// one after the other, where no instruction finds them: in which of N lanes a is larger than b, as bits
 
-inline int whole_vectors(int n)
-{
-  return (n + LANES - 1) / LANES * LANES;
-}
-
-// one after the other, where no instruction finds them: in which lanes a is larger than b, as bits
-
-template <class V> inline unsigned lanes_that_are_larger(const V &a, const V &b)
+template <int N, class V> inline unsigned lanes_that_are_larger(const V &a, const V &b)
 {
   unsigned lanes = 0;
-  for (int k = 0; k < LANES; k++) lanes |= (a[k] > b[k] ? 1u : 0u) << k;
+  for (int k = 0; k < N; k++) lanes |= (a[k] > b[k] ? 1u : 0u) << k;
   return lanes;
 }
 
+// what is added to a number so that its lowest bits are those of the whole number nearest to it,
+// also of a negative one: 1.5 2^52
+
+constexpr double TO_WHOLE = 0x1.8p52;
+
 #ifdef SPHSOLID_PORTABLE_VECTOR
 
-template <class T> struct PortableVector {
-  T lane[LANES];
+template <class T, int N> struct PortableVector {
+  T lane[N];
   T &operator[](int k) { return lane[k]; }
   T operator[](int k) const { return lane[k]; }
 };
-typedef PortableVector<double> Native;
-typedef PortableVector<float> NativeSingle;
+typedef PortableVector<double, LANES> Native;
+typedef PortableVector<float, LANES> NativeSingle;
+typedef PortableVector<float, WIDE> NativeWide;
+typedef PortableVector<unsigned, WIDE> NativeWhole;
 
-template <class T = double, class F> inline PortableVector<T> each_lane(F f)
+template <class T = double, int N = LANES, class F> inline PortableVector<T, N> each_lane(F f)
 {
-  PortableVector<T> out;
-  for (int k = 0; k < LANES; k++) out.lane[k] = f(k);
+  PortableVector<T, N> out;
+  for (int k = 0; k < N; k++) out.lane[k] = f(k);
   return out;
 }
-template <class T>
-inline PortableVector<T> operator+(const PortableVector<T> &a, const PortableVector<T> &b)
+template <class T, int N>
+inline PortableVector<T, N> operator+(const PortableVector<T, N> &a, const PortableVector<T, N> &b)
 {
-  return each_lane<T>([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return a[k] + b[k];
   });
 }
-template <class T>
-inline PortableVector<T> operator-(const PortableVector<T> &a, const PortableVector<T> &b)
+template <class T, int N>
+inline PortableVector<T, N> operator-(const PortableVector<T, N> &a, const PortableVector<T, N> &b)
 {
-  return each_lane<T>([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return a[k] - b[k];
   });
 }
-template <class T>
-inline PortableVector<T> operator*(const PortableVector<T> &a, const PortableVector<T> &b)
+template <class T, int N>
+inline PortableVector<T, N> operator*(const PortableVector<T, N> &a, const PortableVector<T, N> &b)
 {
-  return each_lane<T>([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return a[k] * b[k];
   });
 }
-template <class T>
-inline PortableVector<T> operator/(const PortableVector<T> &a, const PortableVector<T> &b)
+template <class T, int N>
+inline PortableVector<T, N> operator/(const PortableVector<T, N> &a, const PortableVector<T, N> &b)
 {
-  return each_lane<T>([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return a[k] / b[k];
   });
 }
-inline Native native_all(double a)
+template <class V, class T> inline V native_all(T a)
 {
-  return each_lane([&](int) {
-    return a;
-  });
+  V out;
+  for (T &lane : out.lane) lane = a;
+  return out;
 }
-inline Native native_multiply_add(const Native &a, const Native &b, const Native &c)
+template <class T, int N>
+inline PortableVector<T, N> native_multiply_add(const PortableVector<T, N> &a,
+                                                const PortableVector<T, N> &b,
+                                                const PortableVector<T, N> &c)
 {
-  return each_lane([&](int k) {
+  return each_lane<T, N>([&](int k) {
 #ifdef __FMA__
     return std::fma(a[k], b[k], c[k]);
 #else
@@ -130,42 +135,47 @@ inline Native native_multiply_add(const Native &a, const Native &b, const Native
 #endif
   });
 }
-template <class T>
-inline PortableVector<T> native_where_positive(const PortableVector<T> &condition,
-                                               const PortableVector<T> &a,
-                                               const PortableVector<T> &b)
+template <class T, int N>
+inline PortableVector<T, N> native_where_positive(const PortableVector<T, N> &condition,
+                                                  const PortableVector<T, N> &a,
+                                                  const PortableVector<T, N> &b)
 {
-  return each_lane<T>([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return condition[k] > 0 ? a[k] : b[k];
   });
 }
-template <class T>
-inline unsigned native_larger_lanes(const PortableVector<T> &a, const PortableVector<T> &b)
+template <class T, int N>
+inline unsigned native_larger_lanes(const PortableVector<T, N> &a, const PortableVector<T, N> &b)
 {
-  return lanes_that_are_larger(a, b);
+  return lanes_that_are_larger<N>(a, b);
 }
-inline Native native_where_lanes(unsigned lanes, const Native &a, const Native &b)
+template <class T, int N>
+inline PortableVector<T, N> native_where_lanes(unsigned lanes, const PortableVector<T, N> &a,
+                                               const PortableVector<T, N> &b)
 {
-  return each_lane([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return lanes >> k & 1 ? a[k] : b[k];
   });
 }
-template <class T> inline PortableVector<T> native_square_root(const PortableVector<T> &a)
+template <class T, int N> inline PortableVector<T, N> native_square_root(const PortableVector<T, N> &a)
 {
-  return each_lane<T>([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return std::sqrt(a[k]);
   });
 }
-inline Native native_minimum(const Native &a, const Native &b)
+template <class T, int N>
+inline PortableVector<T, N> native_minimum(const PortableVector<T, N> &a,
+                                           const PortableVector<T, N> &b)
 {
-  return each_lane([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return a[k] < b[k] ? a[k] : b[k];
   });
 }
-template <class T>
-inline PortableVector<T> native_maximum(const PortableVector<T> &a, const PortableVector<T> &b)
+template <class T, int N>
+inline PortableVector<T, N> native_maximum(const PortableVector<T, N> &a,
+                                           const PortableVector<T, N> &b)
 {
-  return each_lane<T>([&](int k) {
+  return each_lane<T, N>([&](int k) {
     return a[k] > b[k] ? a[k] : b[k];
   });
 }
@@ -178,12 +188,6 @@ template <int i, int j, int k, int l> inline Native native_shuffle(const Native 
   });
 }
 
-inline NativeSingle native_all(float a)
-{
-  return each_lane<float>([&](int) {
-    return a;
-  });
-}
 inline NativeSingle narrowed(const Native &a)
 {
   return each_lane<float>([&](int k) {
@@ -196,14 +200,44 @@ inline Native widened(const NativeSingle &a)
     return static_cast<double>(a[k]);
   });
 }
+template <int half> inline NativeSingle native_half(const NativeWide &a)
+{
+  return each_lane<float>([&](int k) {
+    return a[half * LANES + k];
+  });
+}
+inline NativeWide native_joined(const NativeSingle &first, const NativeSingle &second)
+{
+  return each_lane<float, WIDE>([&](int k) {
+    return k < LANES ? first[k] : second[k - LANES];
+  });
+}
+
+// whole numbers that differ by less than 2^31, whatever they are
+inline NativeWide native_to_single(const NativeWhole &a)
+{
+  return each_lane<float, WIDE>([&](int k) {
+    return static_cast<float>(static_cast<int>(a[k]));
+  });
+}
+inline void native_store_whole(void *to, const Native &a)
+{
+  for (int k = 0; k < LANES; k++) {
+    const double sum = a[k] + TO_WHOLE;
+    std::uint64_t bits;
+    std::memcpy(&bits, &sum, sizeof(bits));
+    const unsigned whole = static_cast<unsigned>(bits);
+    std::memcpy(static_cast<char *>(to) + k * sizeof(whole), &whole, sizeof(whole));
+  }
+}
 
 #else
 
 typedef double Native __attribute__((vector_size(LANES * sizeof(double))));
 
-inline Native native_all(double a)
+template <class V, class T> inline V native_all(T a)
 {
-  return a - Native{};    // -0.0 stays -0.0
+  return a - V{};    // -0.0 stays -0.0
 }
 inline Native native_multiply_add(Native a, Native b, Native c)
 {
@@ -239,7 +273,7 @@ inline unsigned native_larger_lanes(Native a, Native b)
 #elif defined(__AVX__) && SPHSOLID_LANES == 4
   return _mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GT_OQ));
 #else
-  return lanes_that_are_larger(a, b);
+  return lanes_that_are_larger<LANES>(a, b);
 #endif
 }
 inline Native native_where_lanes(unsigned lanes, Native a, Native b)
@@ -282,10 +316,6 @@ inline Native native_maximum(Native a, Native b)
 
 typedef float NativeSingle __attribute__((vector_size(LANES * sizeof(float))));
 
-inline NativeSingle native_all(float a)
-{
-  return a - NativeSingle{};
-}
 inline NativeSingle native_where_positive(NativeSingle condition, NativeSingle a, NativeSingle b)
 {
   return condition > NativeSingle{} ? a : b;
@@ -301,7 +331,7 @@ inline unsigned native_larger_lanes(NativeSingle a, NativeSingle b)
 #elif defined(__AVX__)
   return _mm_movemask_ps(_mm_cmp_ps(a, b, _CMP_GT_OQ));
 #else
-  return lanes_that_are_larger(a, b);
+  return lanes_that_are_larger<LANES>(a, b);
 #endif
 }
 // left to itself GCC 12 converts in halves
@@ -335,6 +365,121 @@ inline NativeSingle native_square_root(NativeSingle a)
   for (int k = 0; k < LANES; k++) a[k] = std::sqrt(a[k]);
   return a;
 #endif
+}
+
+typedef float NativeWide __attribute__((vector_size(WIDE * sizeof(float))));
+
+inline NativeWide native_multiply_add(NativeWide a, NativeWide b, NativeWide c)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SPHSOLID_LANES == 4
+  return _mm256_fmadd_ps(a, b, c);
+#elif defined(__FMA__)
+  for (int k = 0; k < WIDE; k++) a[k] = std::fma(a[k], b[k], c[k]);
+  return a;
+#else
+  return a * b + c;
+#endif
+}
+inline NativeWide native_where_positive(NativeWide condition, NativeWide a, NativeWide b)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_mask_blend_ps(_mm512_cmp_ps_mask(condition, NativeWide{}, _CMP_GT_OQ), b, a);
+#else
+  return condition > NativeWide{} ? a : b;
+#endif
+}
+inline unsigned native_larger_lanes(NativeWide a, NativeWide b)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ);
+#elif defined(__AVX__) && SPHSOLID_LANES == 4
+  return _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GT_OQ));
+#else
+  return lanes_that_are_larger<WIDE>(a, b);
+#endif
+}
+inline NativeWide native_where_lanes(unsigned lanes, NativeWide a, NativeWide b)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_mask_blend_ps(static_cast<__mmask16>(lanes), b, a);
+#else
+  typedef int Bits __attribute__((vector_size(WIDE * sizeof(int))));
+  Bits bit;
+  for (int k = 0; k < WIDE; k++) bit[k] = 1 << k;
+  return (bit & static_cast<int>(lanes)) != 0 ? a : b;
+#endif
+}
+inline NativeWide native_square_root(NativeWide a)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_sqrt_ps(0xFFFF, a);
+#elif defined(__AVX__) && SPHSOLID_LANES == 4
+  return _mm256_sqrt_ps(a);
+#else
+  for (int k = 0; k < WIDE; k++) a[k] = std::sqrt(a[k]);
+  return a;
+#endif
+}
+inline NativeWide native_minimum(NativeWide a, NativeWide b)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_min_ps(0xFFFF, a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+inline NativeWide native_maximum(NativeWide a, NativeWide b)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_max_ps(0xFFFF, a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
+// the first and the second half
+template <int half> inline NativeSingle native_half(NativeWide a)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_extractf32x8_ps(0xFF, a, half);
+#else
+  NativeSingle out;
+  std::memcpy(&out, reinterpret_cast<const char *>(&a) + half * sizeof(out), sizeof(out));
+  return out;
+#endif
+}
+inline NativeWide native_joined(NativeSingle first, NativeSingle second)
+{
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_insertf32x8(0xFFFF, _mm512_castps256_ps512(first), second, 1);
+#else
+  NativeWide out;
+  std::memcpy(&out, &first, sizeof(first));
+  std::memcpy(reinterpret_cast<char *>(&out) + sizeof(first), &second, sizeof(second));
+  return out;
+#endif
+}
+
+// whole numbers that differ by less than 2^31, whatever they are
+typedef unsigned NativeWhole __attribute__((vector_size(WIDE * sizeof(unsigned))));
+
+inline NativeWide native_to_single(NativeWhole a)
+{
+  typedef int Signed __attribute__((vector_size(WIDE * sizeof(int))));
+#if defined(SPHSOLID_AVX512)
+  return _mm512_maskz_cvtepi32_ps(0xFFFF, reinterpret_cast<__m512i>(a));
+#else
+  return __builtin_convertvector(reinterpret_cast<Signed>(a), NativeWide);
+#endif
+}
+inline void native_store_whole(void *to, Native a)
+{
+  typedef unsigned long long Bits __attribute__((vector_size(LANES * sizeof(long long))));
+  typedef unsigned Lowest __attribute__((vector_size(LANES * sizeof(unsigned))));
+  const Lowest whole = __builtin_convertvector(reinterpret_cast<Bits>(a + TO_WHOLE), Lowest);
+  std::memcpy(to, &whole, sizeof(whole));
 }
 
 // where lane n of a block comes from: of a (0 to 3) or b (4 to 7), the same in every block

@@ -218,9 +218,11 @@ Options SPHSolid::parse_options(LAMMPS *lmp, int narg, char **arg)
                                            {"ignore", Distortion::IGNORE}});
     else if (keyword == "energy")
       o.energy = r.choose<bool>(keyword, {{"yes", true}, {"no", false}});
+    else if (keyword == "precision")
+      o.mixed = r.choose<bool>(keyword, {{"double", false}, {"mixed", true}});
     else
       r.unknown("keyword", keyword,
-                "viscosity, gradient, tensile, frame, hourglass, distortion or energy");
+                "viscosity, gradient, tensile, frame, hourglass, distortion, energy or precision");
   }
   if (o.hourglass == UNSET) o.hourglass = o.frame == Frame::LAGRANGIAN ? HOURGLASS_DEFAULT : 0.0;
   require_frame(lmp, o);

@@ -135,11 +135,12 @@ template <int D> class PointSweeps : public Sweeps {
   // in a hybrid, others may have none
   bool has_material(const Particles &p, int i) const { return types[p.type[i]].h > 0.0; }
 
-  // as many own particles as there are lanes; at the end of a list the last one fills up
-  struct Batch {
+  // as many own particles as a pack has lanes; at the end of a list the last one fills up
+  template <class Pack> struct BatchOf {
+    static constexpr int LANES = lanes_of<Pack>;
     int i[LANES], n;
     bool consecutive;    // they lie one after the other in arrays
-    Batch(const NeighborRows &list, int first) : n(std::min(LANES, list.inum - first))
+    BatchOf(const NeighborRows &list, int first) : n(std::min(LANES, list.inum - first))
     {
       const int *from = list.ilist + first;
       if (n == LANES)
@@ -152,72 +153,111 @@ template <int D> class PointSweeps : public Sweeps {
     }
     Pack load(const double *array) const
     {
-      return consecutive ? SPHSolid::load(array + i[0]) : load_each(array);
+      return of_parts<Pack>([&](auto part) {
+        return load_part<part()>(array);
+      });
     }
     void store(double *array, Pack v) const
     {
-      if (consecutive)
-        SPHSolid::store(array + i[0], v);
-      else
-        store_each(array, v);
-    }
-    // apart from load() and store(), so that the compiler finds those small
-    Pack load_each(const double *array) const
-    {
-      return pack_of([&](int m) {
-        return array[i[m]];
+      each_part<Pack>([&](auto part) {
+        store_part<part()>(array, part_of<part()>(v));
       });
     }
-    void store_each(double *array, Pack v) const
+    // array += v, in double precision
+    void add(double *array, Pack v) const
     {
-      for (int m = 0; m < n; m++) array[i[m]] = v[m];
+      each_part<Pack>([&](auto part) {
+        store_part<part()>(array, load_part<part()>(array) + part_of<part()>(v));
+      });
+    }
+    // those of a part, if there are any
+    template <int part> int left() const { return n - part * SPHSolid::LANES; }
+    template <int part> BatchOf<SPHSolid::Pack> part_of_batch() const
+    {
+      NeighborRows list = {left<part>(), const_cast<int *>(i) + part * SPHSolid::LANES, nullptr,
+                           nullptr};
+      return {list, 0};
+    }
+
+   private:
+    template <int part> SPHSolid::Pack load_part(const double *array) const
+    {
+      return consecutive ? SPHSolid::load(array + i[part * SPHSolid::LANES])
+                         : load_each<part>(array);
+    }
+    template <int part> void store_part(double *array, SPHSolid::Pack v) const
+    {
+      if (consecutive)
+        SPHSolid::store(array + i[part * SPHSolid::LANES], v);
+      else
+        store_each<part>(array, v);
+    }
+    // apart from these, so that the compiler finds those small
+    template <int part> SPHSolid::Pack load_each(const double *array) const
+    {
+      return pack_of([&](int m) {
+        return array[i[part * SPHSolid::LANES + m]];
+      });
+    }
+    template <int part> void store_each(double *array, SPHSolid::Pack v) const
+    {
+      const int end = std::min(left<part>(), SPHSolid::LANES);
+      for (int m = 0; m < end; m++) array[i[part * SPHSolid::LANES + m]] = v[m];
     }
   };
+  using Batch = BatchOf<Pack>;
   // the type that all particles of a batch have, or -1
-  static int common_type(const Particles &p, const Batch &batch)
+  template <class Pack> static int common_type(const Particles &p, const BatchOf<Pack> &batch)
   {
     const int type = p.type[batch.i[0]];
     int others = 0;
-    for (int m = 0; m < LANES; m++) others |= p.type[batch.i[m]] ^ type;
+    for (const int i : batch.i) others |= p.type[i] ^ type;
     return others == 0 ? type : -1;
   }
   // value(type) of each particle, common: what common_type() has found
-  template <class F>
-  static Pack of_types(const Particles &p, const Batch &batch, int common, F value)
+  template <class Pack, class F>
+  static Pack of_types(const Particles &p, const BatchOf<Pack> &batch, int common, F value)
   {
     if (common >= 0) return Pack(value(common));
-    return pack_of([&](int m) {
+    return pack_of<Pack>([&](int m) {
       return value(p.type[batch.i[m]]);
     });
   }
-  template <class F> static Pack of_types(const Particles &p, const Batch &batch, F value)
+  template <class Pack, class F>
+  static Pack of_types(const Particles &p, const BatchOf<Pack> &batch, F value)
   {
     return of_types(p, batch, common_type(p, batch), value);
   }
-  Pack smoothing_lengths(const Particles &p, const Batch &batch) const
+  template <class Pack> Pack smoothing_lengths(const Particles &p, const BatchOf<Pack> &batch) const
   {
     return of_types(p, batch, [this](int t) {
       return types[t].h;
     });
   }
-  Pack shear_moduli(const Particles &p, const Batch &batch) const
+  template <class Pack> Pack shear_moduli(const Particles &p, const BatchOf<Pack> &batch) const
   {
     return of_types(p, batch, [this](int t) {
       return types[t].material.shear;
     });
   }
-  struct Points {
+  template <class Pack> struct PointsOf {
     PointState<D, Pack> state;
     PressureState<Pack> eos;
     Tensor<D, Pack> sigma;    // Cauchy stress, tension positive
     Pack plastic_work;        // of this step [energy]
     Pack inv_rho;
   };
+  using Points = PointsOf<Pack>;
   // of the first n particles of a batch
-  static double sum_of_first(Pack v, int n) { return sum(n < LANES ? v * first_lanes(n) : v); }
+  template <class Pack> static double sum_of_first(Pack v, int n)
+  {
+    return sum(n < lanes_of<Pack> ? where_lanes(first_lanes(n), v, Pack(0.0)) : v);
+  }
   static void load_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
   static void store_deviator(const Particles &, const Batch &, PointState<D, Pack> &);
   Points update_points(const Particles &, const Batch &, const Tensor<D, Pack> &L_mid, double dt);
+  PointsOf<WidePack> update_points(const Particles &, const BatchOf<WidePack> &,
+                                   const Tensor<D, WidePack> &L_mid, double dt);
   // what update_points() reads of LANES particles from next on
   static void prefetch_state(const Particles &p, int next)
   {
@@ -225,8 +265,8 @@ template <int D> class PointSweeps : public Sweeps {
     const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume};
     for (const double *array : arrays) prefetch(array + next, LANES);
   }
-  static int unphysical(const Batch &, Pack rho, Pack others);
-  Pack own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const;
+  template <class Pack> static int unphysical(const BatchOf<Pack> &, Pack rho, Pack others);
+  template <class Pack> Pack own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const;
 
   // sums of one evaluation as the ledger has them
   struct Totals {
@@ -383,15 +423,47 @@ PointSweeps<D>::update_points(const Particles &p, const Batch &batch, const Tens
   return points;
 }
 
+// the same of a wide batch: velocity gradients come and numbers go in single precision, the state of particles is
+// in double precision in between.  Lanes behind the last particle have what others have
+
+template <int D>
+typename PointSweeps<D>::template PointsOf<WidePack>
+PointSweeps<D>::update_points(const Particles &p, const BatchOf<WidePack> &batch,
+                              const Tensor<D, WidePack> &L_mid, double dt)
+{
+  auto update = [&](auto part) {
+    Tensor<D, Pack> L;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) L(a, b) = part_of<part()>(L_mid(a, b));
+    return update_points(p, batch.template part_of_batch<part()>(), L, dt);
+  };
+  const Points first = update(std::integral_constant<int, 0>());
+  const Points second =
+      batch.template left<1>() > 0 ? update(std::integral_constant<int, 1>()) : first;
+  PointsOf<WidePack> both;
+  both.state.rho = joined(first.state.rho, second.state.rho);
+  both.eos = {joined(first.eos.P, second.eos.P), joined(first.eos.c2, second.eos.c2)};
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) {
+      both.state.S(a, b) = joined(first.state.S(a, b), second.state.S(a, b));
+      both.sigma(a, b) = joined(first.sigma(a, b), second.sigma(a, b));
+    }
+  both.plastic_work = joined(first.plastic_work, second.plastic_work);
+  both.inv_rho = joined(first.inv_rho, second.inv_rho);
+  return both;
+}
+
 // a particle whose density is not positive, or another number of whom is not
 // finite; or -1
 
-template <int D> int PointSweeps<D>::unphysical(const Batch &batch, Pack rho, Pack others)
+template <int D>
+template <class Pack>
+int PointSweeps<D>::unphysical(const BatchOf<Pack> &batch, Pack rho, Pack others)
 {
   // sum - sum is 0 or not a number
   const Pack sum = rho + others;
   if (all_positive(rho) && all_positive(1.0 + (sum - sum))) return -1;
-  for (int m = 0; m < LANES; m++)
+  for (int m = 0; m < lanes_of<Pack>; m++)
     if (!(rho[m] > 0.0) || !std::isfinite(sum[m])) return batch.i[m];
   return -1;
 }
@@ -402,7 +474,9 @@ template <int D> int PointSweeps<D>::unphysical(const Batch &batch, Pack rho, Pa
    much of the motion around it is not resolved, which takes one more sweep
 ------------------------------------------------------------------------- */
 
-template <int D> Pack PointSweeps<D>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
+template <int D>
+template <class Pack>
+Pack PointSweeps<D>::own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const
 {
   if (opt.viscosity == Viscosity::FRONT) return compression_share<D, Pack>(L);
   return balsara_switch<D, Pack>(L, c, h);

@@ -33,7 +33,7 @@
 
 namespace SPHSolid {
 
-// where a slot's neighbors are: doubles in columns that they are further, which a sweep need not
+// where a slot's neighbors are: numbers in columns that they are further, which a sweep need not
 // compute from how many columns that is, or GATHERED + n
 constexpr int GATHERED = 1 << 30;
 // who is more columns away is gathered: columns have fewer than 60 components
@@ -66,7 +66,7 @@ inline bool comes_before(const Partner &a, const Partner &b)
 // which) for each slot; which[lane]: index in the lane's list, or -1.  price: so many times the
 // work of another one is a gathered slot
 
-template <class Call>
+template <int LANES, class Call>
 void arrange(const std::vector<Partner> (&partners)[LANES], int first, int price, Call call)
 {
   int next[LANES] = {};
@@ -94,7 +94,7 @@ void arrange(const std::vector<Partner> (&partners)[LANES], int first, int price
   }
 }
 
-struct Slots {
+template <int LANES> struct SlotsOf {
   std::vector<int> first;         // slot of each block, and one behind the last
   std::vector<int> near_first;    // the same if there were only slots with nearest partners
   std::vector<int> further;
@@ -103,8 +103,8 @@ struct Slots {
   std::vector<int> count;        // partners of each column
 
   // LANES of each slot.  In single precision, so that rounding does not tell pairs of a lattice
-  // apart.  They are the same seen from i and from j, and all that follows from them is computed in
-  // double precision, so that sums are as exact as with others: of linear fields and of energy
+  // apart.  They are the same seen from i and from j, and if all that follows from them is computed in
+  // double precision sums are as exact as with others: of linear fields and of energy
   // and momentum to rounding of doubles.  h0 is the largest smoothing length
   static constexpr int FACTOR = 0;          // grad_i W(X_ij) = factor X_ij / h0^(D+2)
   static constexpr int NEARNESS = LANES;    // q/(q^2 + 0.01), q = |X_ij|/h_ij: eq. 24's factor

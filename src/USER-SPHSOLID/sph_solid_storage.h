@@ -57,8 +57,8 @@ template <class T, class U> inline bool operator!=(CacheAligned<T>, CacheAligned
   return false;
 }
 
-using Rows = std::vector<double, CacheAligned<double>>;
-using SingleRows = std::vector<float, CacheAligned<float>>;
+template <class T> using AlignedRows = std::vector<T, CacheAligned<T>>;
+using SingleRows = AlignedRows<float>;
 
 // room of which as much is taken from the system as something is written to: not set to 0
 

@@ -40,14 +40,14 @@ template <int D> double least_stretch(const Tensor<D> &F)
 // (D-1)/D of the sum of these squares.  A few operations instead of an eigenvalue problem, for
 // those who want to know who can be beyond a limit at all
 
-template <int D> Pack stretch_bound(const Tensor<D, Pack> &F)
+template <int D, class Real> Real stretch_bound(const Tensor<D, Real> &F)
 {
-  constexpr double ROUNDING = 1.0e-9;
-  Tensor<D, Pack> C = F.transpose() * F;
-  const Pack mean = C.trace() / double(D);
+  constexpr double ROUNDING = sizeof(F(0, 0)[0]) < sizeof(double) ? 1.0e-5 : 1.0e-9;
+  Tensor<D, Real> C = F.transpose() * F;
+  const Real mean = C.trace() / double(D);
   for (int a = 0; a < D; a++) C(a, a) -= mean;
-  const Pack least = mean - square_root(C.cwiseProduct(C).sum() * ((D - 1.0) / D));
-  return square_root(maximum(least - ROUNDING * mean, Pack(0.0)));
+  const Real least = mean - square_root(C.cwiseProduct(C).sum() * ((D - 1.0) / D));
+  return square_root(maximum(least - ROUNDING * mean, Real(0.0)));
 }
 
 }    // namespace SPHSolid

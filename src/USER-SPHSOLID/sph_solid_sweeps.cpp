@@ -17,12 +17,29 @@
 
 #include "sph_solid_sweeps.h"
 
+#include "sph_solid_precision.h"
+
 using namespace SPHSolid;
+
+namespace {
+
+template <int D, class Precision>
+std::unique_ptr<Sweeps> of_frame(const Options &o, const std::vector<TypeData> &t)
+{
+  return o.frame == Frame::LAGRANGIAN ? lagrangian_sweeps<D, Precision>(o, t)
+                                      : eulerian_sweeps<D, Precision>(o, t);
+}
+
+template <int D>
+std::unique_ptr<Sweeps> of_dimension(const Options &o, const std::vector<TypeData> &t)
+{
+  return o.mixed ? of_frame<D, MixedPrecision>(o, t) : of_frame<D, DoublePrecision>(o, t);
+}
+
+}    // namespace
 
 std::unique_ptr<Sweeps> Sweeps::create(int dimension, const Options &o,
                                        const std::vector<TypeData> &t)
 {
-  if (o.frame == Frame::LAGRANGIAN)
-    return dimension == 2 ? lagrangian_sweeps<2>(o, t) : lagrangian_sweeps<3>(o, t);
-  return dimension == 2 ? eulerian_sweeps<2>(o, t) : eulerian_sweeps<3>(o, t);
+  return dimension == 2 ? of_dimension<2>(o, t) : of_dimension<3>(o, t);
 }

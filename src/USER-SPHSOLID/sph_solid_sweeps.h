@@ -59,6 +59,7 @@ struct Options {
   double hourglass = 0.0;    // damping of what no linear field contains, lagrangian
   Distortion distortion = Distortion::ERROR;    // where the lagrangian frame ends
   bool energy = true;                           // the energy equation
+  bool mixed = false;                           // precision: sph_solid_precision.h
 };
 
 inline double square_of_distance(const double *a, const double *b)
@@ -242,11 +243,11 @@ class Sweeps {
   virtual Overload find_overload() const { return {}; }
 };
 
-// one per frame and dimension, for create()
+// one per frame, dimension and precision, for create()
 
-template <int D>
+template <int D, class Precision>
 std::unique_ptr<Sweeps> eulerian_sweeps(const Options &, const std::vector<TypeData> &);
-template <int D>
+template <int D, class Precision>
 std::unique_ptr<Sweeps> lagrangian_sweeps(const Options &, const std::vector<TypeData> &);
 
 // the reference density of a particle: its mass over its initial volume

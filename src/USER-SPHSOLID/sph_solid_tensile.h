@@ -45,13 +45,13 @@ inline double power(double base, double n)
 {
   return std::pow(base, n);
 }
-inline Pack power(Pack base, double n)
+template <class N, class Number> inline PackOf<N, Number> power(PackOf<N, Number> base, double n)
 {
   if (n != std::floor(n) || n > 16.0)
-    return pack_of([&](int m) {
-      return std::pow(base[m], n);
+    return pack_of<PackOf<N, Number>>([&](int m) {
+      return std::pow(static_cast<double>(base[m]), n);
     });
-  Pack product = base;
+  PackOf<N, Number> product = base;
   for (int k = 1; k < static_cast<int>(n); k++) product *= base;
   return product;
 }

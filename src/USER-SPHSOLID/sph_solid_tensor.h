@@ -28,10 +28,11 @@
 #include <Eigen/LU>
 
 namespace Eigen {
-template <> struct NumTraits<SPHSolid::Pack> : GenericNumTraits<SPHSolid::Pack> {
-  typedef SPHSolid::Pack Real;
-  typedef SPHSolid::Pack NonInteger;
-  typedef SPHSolid::Pack Nested;
+template <class N, class Number>
+struct NumTraits<SPHSolid::PackOf<N, Number>> : GenericNumTraits<SPHSolid::PackOf<N, Number>> {
+  typedef SPHSolid::PackOf<N, Number> Real;
+  typedef Real NonInteger;
+  typedef Real Nested;
   typedef double Literal;
   enum {
     IsComplex = 0,
@@ -47,7 +48,8 @@ template <> struct NumTraits<SPHSolid::Pack> : GenericNumTraits<SPHSolid::Pack> 
 // A tensor of packs is aligned as a pack is.  Eigen's own answer follows
 // EIGEN_MAX_STATIC_ALIGN_BYTES, which may be less; some compilers (clang) refuse that
 namespace internal {
-  template <int Size> struct compute_default_alignment<SPHSolid::Pack, Size> {
+  template <class N, class Number, int Size>
+  struct compute_default_alignment<SPHSolid::PackOf<N, Number>, Size> {
     enum { value = 0 };    // nothing beyond that of its numbers
   };
 }    // namespace internal
@@ -57,17 +59,17 @@ namespace SPHSolid {
 
 // second-order tensor and vector in D space dimensions; 2d means plane strain
 
-// Real: a number, or a pack of them, one for each of LANES particles
+// Real: a number, or a pack of them, one for each of its particles
 
 template <int D, class Real = double> using Tensor = Eigen::Matrix<Real, D, D>;
 template <int D> using Vector = Eigen::Matrix<double, D, 1>;
 
 // the tensor of one lane
 
-template <int D> inline Tensor<D> of_lane(const Tensor<D, Pack> &t, int lane)
+template <int D, class Real> inline Tensor<D> of_lane(const Tensor<D, Real> &t, int lane)
 {
-  return t.unaryExpr([lane](const Pack &all) {
-    return all[lane];
+  return t.unaryExpr([lane](const Real &all) {
+    return static_cast<double>(all[lane]);
   });
 }
 

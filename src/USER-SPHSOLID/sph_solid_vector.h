@@ -23,6 +23,8 @@
 #include "sph_solid_native.h"
 
 #include <bitset>
+#include <type_traits>
+#include <utility>
 
 namespace SPHSolid {
 
@@ -31,7 +33,7 @@ namespace SPHSolid {
 template <class N, class Number> class PackOf {
  public:
   PackOf() = default;
-  PackOf(double a) : v(native_all(static_cast<Number>(a))) {}
+  PackOf(double a) : v(native_all<N>(static_cast<Number>(a))) {}
   explicit PackOf(const N &n) : v(n) {}
   Number operator[](int k) const { return v[k]; }
   const N &native() const { return v; }
@@ -55,6 +57,14 @@ using Pack = PackOf<Native, double>;
 // for what is kept in single precision and need not be found in any other
 using SinglePack = PackOf<NativeSingle, float>;
 
+// of twice as many pairs or particles, all in single precision
+using WidePack = PackOf<NativeWide, float>;
+
+// how many numbers it has
+
+template <class P>
+constexpr int lanes_of = static_cast<int>(sizeof(P) / sizeof(std::declval<P>()[0]));
+
 // a b + c, rounded once where the instruction set can.  Only where it is asked for: the
 // compiler, left free to choose, takes it in a vector loop and not in what is left over, and
 // numbers would depend on where in a row a pair stands
@@ -62,6 +72,11 @@ using SinglePack = PackOf<NativeSingle, float>;
 inline Pack multiply_add(Pack a, Pack b, Pack c)
 {
   return Pack(native_multiply_add(a.native(), b.native(), c.native()));
+}
+
+inline WidePack multiply_add(WidePack a, WidePack b, WidePack c)
+{
+  return WidePack(native_multiply_add(a.native(), b.native(), c.native()));
 }
 
 inline double multiply_add(double a, double b, double c)
@@ -97,6 +112,48 @@ inline Pack widened(SinglePack v)
 {
   return Pack(widened(v.native()));
 }
+// in formulas for both: is as it is
+inline WidePack rounded(WidePack v)
+{
+  return v;
+}
+inline WidePack widened(WidePack v)
+{
+  return v;
+}
+
+// a wide pack and the two packs of doubles that have the same lanes; in double precision a pack is all
+// there is
+
+inline WidePack joined(Pack first, Pack second)
+{
+  return WidePack(native_joined(narrowed(first.native()), narrowed(second.native())));
+}
+template <int part> inline Pack part_of(WidePack v)
+{
+  return widened(SinglePack(native_half<part>(v.native())));
+}
+template <int part> inline Pack part_of(Pack v)
+{
+  static_assert(part == 0, "there is one");
+  return v;
+}
+
+// value(part) of each; part: a constant
+
+template <class P, class F> inline P of_parts(F value)
+{
+  using First = std::integral_constant<int, 0>;
+  if constexpr (std::is_same_v<P, Pack>)
+    return value(First());
+  else
+    return joined(value(First()), value(std::integral_constant<int, 1>()));
+}
+template <class P, class F> inline void each_part(F call)
+{
+  call(std::integral_constant<int, 0>());
+  if constexpr (!std::is_same_v<P, Pack>) call(std::integral_constant<int, 1>());
+}
 
 // what is kept in single precision
 
@@ -110,14 +167,53 @@ inline Pack load(const float *from)
 {
   return widened(load_single(from));
 }
+inline WidePack load_wide(const float *from)
+{
+  NativeWide n;
+  std::memcpy(&n, from, sizeof(n));
+  return WidePack(n);
+}
 inline void store(float *to, SinglePack v)
 {
   std::memcpy(to, &v.native(), sizeof(NativeSingle));
 }
+inline void store(float *to, WidePack v)
+{
+  std::memcpy(to, &v.native(), sizeof(NativeWide));
+}
+
+// whole numbers, where only differences count
+
+class WholePack {
+ public:
+  WholePack() = default;
+  explicit WholePack(const NativeWhole &n) : v(n) {}
+  const NativeWhole &native() const { return v; }
+
+ private:
+  NativeWhole v;
+};
+
+inline WholePack load_whole(const float *from)
+{
+  NativeWhole n;
+  std::memcpy(&n, from, sizeof(n));
+  return WholePack(n);
+}
+// the whole numbers nearest to v, of less than 2^51, in the place of LANES numbers: the last 32 bits of each
+inline void store_whole(float *to, Pack v)
+{
+  native_store_whole(to, v.native());
+}
+// less than 2^31 in truth
+inline WidePack difference(WholePack a, WholePack b)
+{
+  return WidePack(native_to_single(a.native() - b.native()));
+}
 
 // value(lane) of each.  Not by way of an array: its load would have to wait for the stores
 
-template <class F> inline Pack pack_of(F value)
+template <class F> inline Pack doubles_of(F value)
 {
 #ifdef SPHSOLID_PORTABLE_VECTOR
   return Pack(each_lane(value));
@@ -128,24 +224,28 @@ template <class F> inline Pack pack_of(F value)
   return Pack(Native{value(0), value(1), value(2), value(3)});
 #endif
 }
+// of numbers in single precision, to the bit
 
-// 1 in the lanes that are less than n, 0 in the others
-
-inline Pack first_lanes(int n)
+template <class F, int... k> inline WidePack floats_of(F value, std::integer_sequence<int, k...>)
 {
-  static constexpr double STEP[2 * LANES] = {
-#if SPHSOLID_LANES == 8
-    1.0,
-    1.0,
-    1.0,
-    1.0,
+#ifdef SPHSOLID_PORTABLE_VECTOR
+  return WidePack(NativeWide{{value(k)...}});
+#else
+  return WidePack(NativeWide{value(k)...});
 #endif
-    1.0,
-    1.0,
-    1.0,
-    1.0
-  };
-  return load(STEP + LANES - (n < 0 ? 0 : n < LANES ? n : LANES));
+}
+template <class F> inline WidePack floats_of(F value)
+{
+  return floats_of(value, std::make_integer_sequence<int, WIDE>());
+}
+
+template <class P = Pack, class F> inline P pack_of(F value)
+{
+  return of_parts<P>([&](auto part) {
+    return doubles_of([&](int k) {
+      return value(part * LANES + k);
+    });
+  });
 }
 
 // condition > 0 ? a : b; numbers and vectors of them
@@ -154,10 +254,13 @@ inline Pack where_positive(Pack condition, Pack a, Pack b)
 {
   return Pack(native_where_positive(condition.native(), a.native(), b.native()));
 }
-
 inline SinglePack where_positive(SinglePack condition, SinglePack a, SinglePack b)
 {
   return SinglePack(native_where_positive(condition.native(), a.native(), b.native()));
+}
+inline WidePack where_positive(WidePack condition, WidePack a, WidePack b)
+{
+  return WidePack(native_where_positive(condition.native(), a.native(), b.native()));
 }
 inline double where_positive(double condition, double a, double b)
 {
@@ -178,16 +281,31 @@ inline unsigned larger_lanes(SinglePack a, SinglePack b)
 {
   return native_larger_lanes(a.native(), b.native());
 }
+inline unsigned larger_lanes(WidePack a, WidePack b)
+{
+  return native_larger_lanes(a.native(), b.native());
+}
 inline Pack where_lanes(unsigned lanes, Pack a, Pack b)
 {
   return Pack(native_where_lanes(lanes, a.native(), b.native()));
+}
+inline WidePack where_lanes(unsigned lanes, WidePack a, WidePack b)
+{
+  return WidePack(native_where_lanes(lanes, a.native(), b.native()));
+}
+
+// the first n of all lanes
+
+constexpr unsigned first_lanes(int n)
+{
+  return (1u << n) - 1u;
 }
 
 // how many of the first n are set
 
 inline int count_lanes(unsigned lanes, int n)
 {
-  return static_cast<int>(std::bitset<LANES>(lanes & ((1u << n) - 1u)).count());
+  return static_cast<int>(std::bitset<WIDE>(lanes & first_lanes(n)).count());
 }
 
 // of two, one of which is not a number, the second one
@@ -212,6 +330,14 @@ inline SinglePack maximum(SinglePack a, SinglePack b)
 {
   return SinglePack(native_maximum(a.native(), b.native()));
 }
+inline WidePack minimum(WidePack a, WidePack b)
+{
+  return WidePack(native_minimum(a.native(), b.native()));
+}
+inline WidePack maximum(WidePack a, WidePack b)
+{
+  return WidePack(native_maximum(a.native(), b.native()));
+}
 
 inline double square_root(double a)
 {
@@ -224,6 +350,10 @@ inline Pack square_root(Pack a)
 inline SinglePack square_root(SinglePack a)
 {
   return SinglePack(native_square_root(a.native()));
+}
+inline WidePack square_root(WidePack a)
+{
+  return WidePack(native_square_root(a.native()));
 }
 
 }    // namespace SPHSolid

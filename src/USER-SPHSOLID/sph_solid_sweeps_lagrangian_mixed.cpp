@@ -1,0 +1,31 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+/* ----------------------------------------------------------------------
+   The sweeps of the Lagrangian frame in mixed precision, a source file of their own since that
+   is most of the time that this package takes to compile.
+------------------------------------------------------------------------- */
+
+#include "sph_solid_lagrangian_sweeps.h"
+
+template <int D, class Precision>
+std::unique_ptr<Sweeps> SPHSolid::lagrangian_sweeps(const Options &o,
+                                                    const std::vector<TypeData> &t)
+{
+  return std::make_unique<LagrangianSweeps<D, Precision>>(o, t);
+}
+
+template std::unique_ptr<Sweeps>
+SPHSolid::lagrangian_sweeps<2, MixedPrecision>(const Options &, const std::vector<TypeData> &);
+template std::unique_ptr<Sweeps>
+SPHSolid::lagrangian_sweeps<3, MixedPrecision>(const Options &, const std::vector<TypeData> &);
