@@ -29,14 +29,9 @@ namespace SPHSolid {
 
 // lanes of a (0 to 3) and b (4 to 7)
 
-template <int i, int j, int k, int l> inline Pack shuffle(Pack a, Pack b)
+template <int i, int j, int k, int l, class Pack> inline Pack shuffle(Pack a, Pack b)
 {
   return Pack(native_shuffle<i, j, k, l>(a.native(), b.native()));
-}
-
-template <int i, int j, int k, int l> inline Pack shuffle(Pack a)
-{
-  return shuffle<i, j, k, l>(a, a);
 }
 
 // where the blocks of a pack lie: block b has lanes 4 b to 4 b + 3
@@ -81,6 +76,28 @@ inline Pack load(const Addresses &from)
                 BLOCK * sizeof(double));
   return Pack(n);
 #endif
+}
+
+// of a wide pack from rows 0, 4, 8 and 12, as far as there are lanes, from component c on
+
+inline WidePack load_blocks(const float *const *rows, int c)
+{
+#if defined(SPHSOLID_AVX512)
+  __m512 n = _mm512_castps128_ps512(_mm_loadu_ps(rows[0] + c));
+  n = _mm512_maskz_insertf32x4(0xFFFF, n, _mm_loadu_ps(rows[BLOCK] + c), 1);
+  n = _mm512_maskz_insertf32x4(0xFFFF, n, _mm_loadu_ps(rows[2 * BLOCK] + c), 2);
+  return WidePack(_mm512_maskz_insertf32x4(0xFFFF, n, _mm_loadu_ps(rows[3 * BLOCK] + c), 3));
+#else
+  NativeWide n;
+  for (int b = 0; b < WIDE / BLOCK; b++)
+    std::memcpy(reinterpret_cast<char *>(&n) + b * BLOCK * sizeof(float), rows[b * BLOCK] + c,
+                BLOCK * sizeof(float));
+  return WidePack(n);
+#endif
+}
+inline Pack load_blocks(const double *const *rows, int c)
+{
+  return load(Addresses(rows[0] + c, rows[LANES - BLOCK] + c));
 }
 
 inline void store(const Addresses &to, Pack v)
@@ -147,7 +164,7 @@ inline bool all_positive(WidePack a)
 
 // four rows become four columns
 
-inline void transpose(Pack &a, Pack &b, Pack &c, Pack &d)
+template <class Pack> inline void transpose(Pack &a, Pack &b, Pack &c, Pack &d)
 {
   const Pack ab0 = shuffle<0, 4, 2, 6>(a, b), ab1 = shuffle<1, 5, 3, 7>(a, b);
   const Pack cd0 = shuffle<0, 4, 2, 6>(c, d), cd1 = shuffle<1, 5, 3, 7>(c, d);

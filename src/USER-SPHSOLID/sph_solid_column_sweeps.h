@@ -630,11 +630,10 @@ void ColumnSweeps<D, Precision>::gather(const int *from, int first, int end, Num
     for (int c = first; c < end; c++) store(to + c * NEXT, Precision::pack_of_numbers([&](int m) {
               return at[m][c * NEXT];
             }));
-  else if constexpr (Precision::HAS_ROWS)
+  else
     for (int c = first / BLOCK * BLOCK; c < end; c += BLOCK) {
       Pack of[BLOCK];
-      for (int m = 0; m < BLOCK; m++)
-        of[m] = SPHSolid::load(Addresses(at[m] + c, at[m + LANES - BLOCK] + c));
+      for (int m = 0; m < BLOCK; m++) of[m] = load_blocks(at + m, c);
       transpose(of[0], of[1], of[2], of[3]);
       for (int k = 0; k < BLOCK; k++) store(to + (c + k) * NEXT, of[k]);
     }

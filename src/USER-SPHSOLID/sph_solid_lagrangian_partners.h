@@ -191,6 +191,7 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
   Numbers near;                   // m_j Wbar of the nearest
   std::vector<int> offsets;    // of a block's slots, 0: gathered
   Tensor<D> moment[LANES];     // M
+  Vector<D> sum[LANES];        // of V0_j g_ij: inside of a lattice nothing is left of it but rounding
   double nsum[LANES];          // n of the correction: sum m_j Wbar
 
   static constexpr std::int64_t PLACES = 1 << 10;    // more than a kernel has spacings
@@ -280,6 +281,7 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
     near.assign(slots.nearest(block) * LANES, 0.0);
     for (int m = 0; m < LANES; m++) {
       moment[m].setZero();
+      sum[m].setZero();
       nsum[m] = 0.0;
     }
     collect(block);
@@ -336,7 +338,7 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
     const Vector<D> X = separation(i, partner.row);
     const Vector<D> of_pair = factor * of.columns.get(partner.column, WEIGHT) * X;
     moment[m] -= of_pair * X.transpose();
-    for (int a = 0; a < D; a++) of.gradient_sum_of(block)[a * LANES + m] += of_pair[a];
+    sum[m] += of_pair;
     if (!partner.nearest) return;
     const double weight = p.mass[source] *
         rounded(Base::wbar_mass(partner.r, 1.0, near_support(i), near_support(source)));
@@ -357,6 +359,8 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
       Number *at = of.correction_of(block) + m;
       for (int a = 0; a < D; a++)
         for (int b = a; b < D; b++, at += LANES) *at = static_cast<Number>(inverse(a, b));
+      for (int a = 0; a < D; a++)
+        of.gradient_sum_of(block)[a * LANES + m] = static_cast<Number>(sum[m][a]);
       const int i = of.own[block * LANES + n];
       of.columns.set(block * LANES + m, DENSITY, p.mass[i] / p.vref[i] * inverse.trace() / D);
       if (of.needs_correction()) of.columns.set(block * LANES + m, LAST, rounded(nsum[n]));

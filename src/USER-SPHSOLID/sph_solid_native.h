@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #if !defined(__GNUC__) && !defined(SPHSOLID_PORTABLE_VECTOR)
 #define SPHSOLID_PORTABLE_VECTOR
@@ -179,10 +180,12 @@ inline PortableVector<T, N> native_maximum(const PortableVector<T, N> &a,
     return a[k] > b[k] ? a[k] : b[k];
   });
 }
-template <int i, int j, int k, int l> inline Native native_shuffle(const Native &a, const Native &b)
+template <int i, int j, int k, int l, class T, int N>
+inline PortableVector<T, N> native_shuffle(const PortableVector<T, N> &a,
+                                           const PortableVector<T, N> &b)
 {
   const int from[BLOCK] = {i, j, k, l};
-  return each_lane([&](int n) {
+  return each_lane<T, N>([&](int n) {
     const int m = from[n % BLOCK], block = n / BLOCK * BLOCK;
     return m < BLOCK ? a[block + m] : b[block + m - BLOCK];
   });
@@ -482,28 +485,30 @@ inline void native_store_whole(void *to, Native a)
   std::memcpy(to, &whole, sizeof(whole));
 }
 
-// where lane n of a block comes from: of a (0 to 3) or b (4 to 7), the same in every block
-constexpr int source_lane(int n, int block)
+// where lane n of a block comes from: of a (0 to 3) or b (4 to 7), vectors of so many lanes; the same in
+// every block
+constexpr int source_lane(int n, int block, int lanes)
 {
-  return n < BLOCK ? block * BLOCK + n : LANES + block * BLOCK + n - BLOCK;
+  return n < BLOCK ? block * BLOCK + n : lanes + block * BLOCK + n - BLOCK;
 }
-template <int i, int j, int k, int l> inline Native native_shuffle(Native a, Native b)
+template <int i, int j, int k, int l, class V, int... n>
+inline V shuffle_lanes(V a, V b, std::integer_sequence<int, n...>)
 {
+  constexpr int FROM[BLOCK] = {i, j, k, l}, ALL = sizeof...(n);
 #if defined(__clang__) || __GNUC__ >= 12
-#if SPHSOLID_LANES == 8
-  return __builtin_shufflevector(a, b, source_lane(i, 0), source_lane(j, 0), source_lane(k, 0),
-                                 source_lane(l, 0), source_lane(i, 1), source_lane(j, 1),
-                                 source_lane(k, 1), source_lane(l, 1));
+  return __builtin_shufflevector(a, b, source_lane(FROM[n % BLOCK], n / BLOCK, ALL)...);
 #else
-  return __builtin_shufflevector(a, b, i, j, k, l);
+  V out;
+  for (int m = 0; m < ALL; m++) {
+    const int from = source_lane(FROM[m % BLOCK], m / BLOCK, ALL);
+    out[m] = from < ALL ? a[from] : b[from - ALL];
+  }
+  return out;
 #endif
-#else
-  typedef long long Mask __attribute__((vector_size(LANES * sizeof(long long))));
-  const int from[BLOCK] = {i, j, k, l};
-  Mask mask;
-  for (int n = 0; n < LANES; n++) mask[n] = source_lane(from[n % BLOCK], n / BLOCK);
-  return __builtin_shuffle(a, b, mask);
-#endif
+}
+template <int i, int j, int k, int l, class V> inline V native_shuffle(V a, V b)
+{
+  return shuffle_lanes<i, j, k, l>(a, b, std::make_integer_sequence<int, sizeof(V) / sizeof(a[0])>());
 }
 
 #endif

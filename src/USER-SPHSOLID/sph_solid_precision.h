@@ -35,7 +35,6 @@ struct DoublePrecision {
   using Single = SinglePack;    // of what is kept in single precision in any case
   using Place = Pack;           // a component of positions
   using Bits = unsigned char;   // one for each lane
-  static constexpr bool HAS_ROWS = true;
 
   static Pack load(const double *from) { return SPHSolid::load(from); }
   static Pack load(const float *from) { return SPHSolid::load(from); }
@@ -62,7 +61,6 @@ struct MixedPrecision {
   using Single = WidePack;
   using Place = WholePack;
   using Bits = unsigned short;
-  static constexpr bool HAS_ROWS = false;
 
   static Pack load(const float *from) { return load_wide(from); }
   template <class F> static Pack pack_of_numbers(F value) { return floats_of(value); }
