@@ -281,7 +281,8 @@ void PairSPHSolid::report_overload()
   static const char *const WHAT[] = {
       "", "its deformation gradient has turned over, with determinant",
       "it is squeezed flat, with a least principal stretch of",
-      "it lies on a partner, their distance over that in the reference is"};
+      "it lies on a partner, their distance over that in the reference is",
+      "precision mixed cannot follow its distance to a partner, which has become"};
   const std::string text = fmt::format(
       "sph/solid, frame lagrangian: the deformation is beyond what this frame can follow at "
       "particle {} at {:.8g} {:.8g} {:.8g} in step {}: {} {:.4g}. Use frame eulerian for fracture, "

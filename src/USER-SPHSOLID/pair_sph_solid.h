@@ -160,6 +160,8 @@ class PairSPHSolid : public Pair {
   void require_single_layer();
   void require_cold_materials();
   void require_crowding() const;
+  void require_single_numbers() const;
+  void require_near_origin() const;
   void fill_unset_state();
   void require_state();
   void require_plausible_state();

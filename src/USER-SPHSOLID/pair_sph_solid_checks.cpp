@@ -25,6 +25,7 @@
 #include "group.h"
 #include "modify.h"
 #include "sph_solid_kernel.h"
+#include "sph_solid_precision.h"
 #include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
 #include "update.h"
@@ -222,6 +223,50 @@ void PairSPHSolid::require_crowding() const
                  "Pair style sph/solid, tensile artificial: the smoothing length of type {} is "
                  "{:.4g} spacings, and its kernel is 0 at the spacing: expected more than 0.5",
                  i, types[i].h / types[i].spacing);
+}
+
+// what precision mixed needs of smoothing lengths and units
+
+void PairSPHSolid::require_single_numbers() const
+{
+  double least = HUGE_VAL, most = 0.0;
+  for (int i = 1; i <= atom->ntypes; i++) {
+    if (!setflag[i][i]) continue;
+    least = std::min(least, types[i].h);
+    most = std::max(most, types[i].h);
+    const double volume = std::pow(types[i].spacing, domain->dimension);
+    if (volume == 0.0) continue;    // no particles
+    for (const double number :
+         {types[i].h * types[i].h, volume, volume * types[i].material.rho0,
+          volume * types[i].h * types[i].material.longitudinal_modulus()})
+      if (!(number > MIXED_LEAST && number < MIXED_MOST))
+        error->all(FLERR,
+                   "Pair style sph/solid, precision mixed: h^2, volume, mass or stiffness of the "
+                   "particles of type {} is {:.4g}, in units {}: expected between {} and {}, which "
+                   "single precision has room for",
+                   i, number, update->unit_style, MIXED_LEAST, MIXED_MOST);
+  }
+  if (most > MIXED_LENGTHS * least)
+    error->all(FLERR,
+               "Pair style sph/solid, precision mixed: smoothing lengths of types are from {:.4g} "
+               "to {:.4g}: expected a factor of at most {}",
+               least, most, MIXED_LENGTHS);
+}
+
+// and of coordinates
+
+void PairSPHSolid::require_near_origin() const
+{
+  double furthest = MIXED_FURTHEST * largest_smoothing_length();
+  for (int i = 1; i <= atom->ntypes; i++)
+    if (setflag[i][i]) furthest = std::min(furthest, MIXED_FURTHEST * types[i].h);
+  for (int k = 0; k < 3; k++)
+    for (const double bound : {domain->boxlo[k], domain->boxhi[k]})
+      if (!(std::fabs(bound) < furthest))
+        error->all(FLERR, Error::NOLASTLINE,
+                   "Pair style sph/solid, precision mixed: the box reaches to {:.4g} along {} in "
+                   "step {}: expected less than {:.4g}, {} of the least smoothing length",
+                   bound, "xyz"[k], update->ntimestep, furthest, MIXED_FURTHEST);
 }
 
 /* ----------------------------------------------------------------------

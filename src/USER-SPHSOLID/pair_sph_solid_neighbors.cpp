@@ -56,6 +56,7 @@ void PairSPHSolid::new_neighbors(bool setup)
   bool refers = false;
   require_state();
   if (setup) log_apart();
+  if (options->mixed) require_near_origin();
   if (!partners) {
     if (setup) require_distinct_places();
     require_countable_neighbors();

@@ -124,6 +124,7 @@ void PairSPHSolid::init_style()
   require_plausible_state();
   measure_spacing();
   if (options->tensile) require_crowding();
+  if (options->mixed) require_single_numbers();
 
   if (!comm->ghost_velocity) {
     comm->ghost_velocity = 1;
@@ -264,7 +265,7 @@ void PairSPHSolid::read_restart(FILE *fp)
 
 // settings and materials are written as they lie in memory: a number to change with them, and sizes
 
-static constexpr int LAYOUT[3] = {2, sizeof(Options), sizeof(Material)};
+static constexpr int LAYOUT[3] = {3, sizeof(Options), sizeof(Material)};
 
 void PairSPHSolid::write_restart_settings(FILE *fp)
 {

@@ -36,7 +36,7 @@ namespace {
 template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
  public:
   ColumnSweeps(const Options &o, const std::vector<TypeData> &t) :
-      PointSweeps<D>(o, t), ruler(Base::largest(t, &TypeData::h))
+      PointSweeps<D>(o, t), ruler(Base::least_h(t))
   {
   }
 
@@ -363,13 +363,16 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
   // particle itself becomes heat (exact in total, not Galilean invariant);
   // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
   // safe: half the work of each central pair force, none of it negative for u = v.
-  // Of a pair -4/m_i of it, without w_ij; along: what its force is along.  EVENLY: for heats_evenly()
+  // Of a pair -4/m_i of it, without w_ij.  EVENLY: for heats_evenly()
   template <bool EVENLY> struct CorrectionHeat {
+    const bool safe;
     const int at;
+    const Places place;
     Pack own_moved[D], own_force[D], minus_moved, minus_force;
-    CorrectionHeat(const ColumnSweeps &s, const Number *i, int along) : at(along)
+    CorrectionHeat(const ColumnSweeps &s, const Number *i, int at_da) :
+        safe(!EVENLY && s.safe()), at(at_da), place(s, i, X)
     {
-      const bool printed = s.opt.heating == Heating::PRINTED && !s.safe(),
+      const bool printed = s.opt.heating == Heating::PRINTED && !safe,
                  alone = s.opt.weights == Weights::SHEPARD && !printed;    // its own loss
       for (int a = 0; a < D; a++) {
         own_moved[a] = (alone ? 2.0 : 1.0) * component(i, V + a);
@@ -381,6 +384,13 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     Pack of(const Number *j) const
     {
       Pack sum = 0.0;
+      if (safe) {
+        Pack force[D];
+        place.apart(j, X, force);
+        for (int a = 0; a < D; a++)
+          sum = multiply_add(own_moved[a] - component(j, V + a), force[a], sum);
+        return sum;
+      }
       each_index<D>([&](auto a) {
         const Pack moved = component(j, V + a), force = component(j, at + a);
         if (EVENLY)
@@ -391,6 +401,33 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
       });
       return sum;
     }
+  };
+  // what the correction's force of a pair is along: with weights safe the distance, else the difference of
+  // viscous accelerations.  MAY_BE_SAFE: false where they are known to be others
+  template <bool MAY_BE_SAFE> class Along {
+   public:
+    Along(const ColumnSweeps &s, const Number *i, int at_da) :
+        safe(MAY_BE_SAFE && s.safe()), at(at_da * std::ptrdiff_t(NEXT)), place(s, i, X)
+    {
+      each_index<D>([&](auto a) {
+        own[a] = component(i + at, a);
+      });
+    }
+    [[gnu::always_inline]] void from(const Number *j, Pack *out) const
+    {
+      if (safe)
+        place.apart(j, X, out);
+      else
+        each_index<D>([&](auto a) {
+          out[a] = own[a] - component(j + at, a);
+        });
+    }
+
+   private:
+    const bool safe;
+    const std::ptrdiff_t at;
+    const Places place;
+    Pack own[D];
   };
   // weights safe, without the weight
   Pack safe_pull_of(const Number *i, const Number *j, int at_da) const

@@ -216,9 +216,7 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
   [[gnu::always_inline]] inline void add_forces_of_pairs(const Particles &, int block,
                                                          const Batch &, const PairForces &);
 
-  // correction: what the force of a pair of nearest neighbors is along
-  int along() const { return safe() ? X : at_da; }
-  // and what it is times m_i/2, of a block.  Where that lies is not read again for each pair, which a
+  // correction: what the force of a pair of nearest neighbors is times m_i/2, of a block.  Where that lies is not read again for each pair, which a
   // compiler would do for members.  CONSERVATIVE: for these weights, others are known by the option
   template <bool CONSERVATIVE> class NearFactors {
    public:

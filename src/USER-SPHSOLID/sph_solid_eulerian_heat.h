@@ -108,7 +108,7 @@ typename EulerianSweeps<D, Precision>::Pack EulerianSweeps<D, Precision>::correc
   const int *further = pairs.further.data();
   neighbors.ask_ahead(further, near);
   const NearFactors<EVENLY> factor(*this, near, i);
-  const typename Base::template CorrectionHeat<EVENLY> heat(*this, i, along());
+  const typename Base::template CorrectionHeat<EVENLY> heat(*this, i, at_da);
   Pack power = 0.0;
   for (int n = 0; n < near.count; n++) {
     const Number *j = neighbors(further[near.slot[n]]);
@@ -131,6 +131,7 @@ typename EulerianSweeps<D, Precision>::Tensors EulerianSweeps<D, Precision>::blo
   const Pack mass = batch.load(p.mass), own_K = component(i, K);
   TensorSums<D, Pack> sum;
   const Motion own(*this, i);
+  const typename Base::template Along<true> of_pair(*this, i, needs_correction() ? at_da : V);
   Neighbors neighbors(*this, block, X, components());
   int n = 0;    // of the nearest ones
   for (int s = pairs.first[block]; s < pairs.first[block] + pairs.count[block]; s++) {
@@ -154,8 +155,9 @@ typename EulerianSweeps<D, Precision>::Tensors EulerianSweeps<D, Precision>::blo
     }
     if (needs_correction() && n < near.count && near.slot[n] == s) {
       const Pack w = 0.5 * mass * factor(n++, j);
-      for (int a = 0; a < D; a++)
-        f[a] += w * (component(i, along() + a) - component(j, along() + a));
+      Pack along[D];
+      of_pair.from(j, along);
+      for (int a = 0; a < D; a++) f[a] += w * along[a];
     }
     sum.add(f, d.x);
   }

@@ -58,22 +58,21 @@ template <int D, class Precision>
 template <bool CONSERVATIVE>
 void EulerianSweeps<D, Precision>::correct_block(const Particles &p, int block, const Batch &batch)
 {
-  const std::ptrdiff_t at = along() * std::ptrdiff_t(NEXT);
   const Number *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
   Neighbors neighbors(*this, block, safe() ? X : MASS, MASS + 1, LAST, at_da + D);
   const int *further = pairs.further.data();
   neighbors.ask_ahead(further, near);
   const NearFactors<CONSERVATIVE> factor(*this, near, i);
-  Pack own_along[D], f[D];
-  for (int a = 0; a < D; a++) {
-    own_along[a] = component(i + at, a);
-    f[a] = 0.0;
-  }
+  const typename Base::template Along<!CONSERVATIVE> of_pair(*this, i, at_da);
+  Pack f[D];
+  for (int a = 0; a < D; a++) f[a] = 0.0;
   for (int n = 0; n < near.count; n++) {
     const Number *j = neighbors(further[near.slot[n]]);
     const Pack w = factor(n, j);
-    for (int a = 0; a < D; a++) f[a] = multiply_add(w, own_along[a] - component(j + at, a), f[a]);
+    Pack along[D];
+    of_pair.from(j, along);
+    for (int a = 0; a < D; a++) f[a] = multiply_add(w, along[a], f[a]);
   }
   const Pack half_mass = 0.5 * batch.load(p.mass);
   for (int a = 0; a < D; a++) f[a] *= half_mass;

@@ -62,7 +62,7 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
  public:
   LagrangianSweeps(const Options &o, const std::vector<TypeData> &t) :
       ColumnSweeps<D, Precision>(o, t), at_da(at_rate + (keeps_rates() ? SYMMETRIC : 0)),
-      at_along(safe() ? X : at_da), at_rho(at_da + (needs_correction() ? D : 0)),
+      at_rho(at_da + (needs_correction() ? D : 0)),
       damping_unit(Base::largest(t, [](const TypeData &type) {
         return type.material.longitudinal_modulus();
       }))
@@ -97,7 +97,7 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
       Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
       Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::mirror_vectors,
       Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt,
-      Base::own, Base::own_list, Base::particles_of, Base::repeat_last, Base::safe, Base::source_of,
+      Base::own, Base::own_list, Base::particles_of, Base::repeat_last, Base::ruler, Base::safe, Base::source_of,
       Base::standard_power, Base::store_tensor, Base::stretching, Base::SYMMETRIC, Base::tensor,
       Base::types, Base::unit_factor, Base::V, Base::with_rows, Base::X;
 
@@ -112,7 +112,6 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   bool keeps_rates() const { return opt.hourglass > 0.0 || needs_rates(pair_form(opt.viscosity)); }
   static constexpr int at_rate = FIXED;
   const int at_da;
-  const int at_along;    // what the correction's force on a pair is along
   const int at_rho;
   int components() const { return at_rho + (this->unlike ? 1 : 0); }
   Sent sent() const override { return {T, LAST, at_da}; }
@@ -250,11 +249,6 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   template <Work WORK>
   void add_work(const Kept &, int slot, const Number *i, const Number *j, const Parts &,
                 PairWork &) const;
-  // of a pair of nearest partners: what its force is along, and what it is times m_i/2
-  Pack corrected_along(const Number *i, const Number *j, int a) const
-  {
-    return component(i, at_along + a) - component(j, at_along + a);
-  }
   // what the nearest pairs of a block are multiplied by
   typename NearWeights::Run near_factors(int block) const
   {

@@ -143,6 +143,7 @@ LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block, cons
   const auto near = near_factors(block);
   TensorSums<D, Pack> sum;
   const Motion own(*this, i);
+  const typename Base::template Along<true> of_pair(*this, i, needs_correction() ? at_da : V);
   const Places own_reference(*this, i, REFERENCE);
   Neighbors neighbors(*this, block, at_da, at_da);
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
@@ -159,7 +160,11 @@ LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block, cons
       for (int b = 0; b < D; b++)
         t += (component(i, T + D * a + b) + component(j, T + D * a + b)) * reference[b];
       f[a] = V0 * (factor(s, j) * t + central * d.x[a]);
-      if (n < slots.nearest(block)) f[a] += half_mass * load(near.of(n)) * corrected_along(i, j, a);
+    }
+    if (n < slots.nearest(block)) {
+      Pack along[D];
+      of_pair.from(j, along);
+      for (int a = 0; a < D; a++) f[a] += half_mass * load(near.of(n)) * along[a];
     }
     sum.add(f, d.x);
   }

@@ -140,6 +140,7 @@ template <int D, class Precision> typename LagrangianSweeps<D, Precision>::Pack 
   const Number *i = columns.at(block * LANES);
   const Places own(*this, i, X), own_reference(*this, i, REFERENCE);
   Neighbors neighbors(*this, block, T);
+  const Pack furthest = ruler.furthest() * ruler.furthest();
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
     const Number *j = neighbors(slot);
     Pack x[D], reference[D], apart = 0.0;
@@ -147,6 +148,7 @@ template <int D, class Precision> typename LagrangianSweeps<D, Precision>::Pack 
     own_reference.apart(j, REFERENCE, reference);
     for (int a = 0; a < D; a++)
       apart += x[a] * x[a] - LEAST_STRETCH * LEAST_STRETCH * reference[a] * reference[a];
+    if (ruler.furthest() > 0.0) apart = minimum(apart, furthest - dot<D>(x, x));
     room = minimum(room, where_positive(-factor(slot, j), apart, Pack(1.0)));
   }
   return room;
@@ -173,6 +175,8 @@ Overload LagrangianSweeps<D, Precision>::overload(const Tensor<D> &Fi, int block
       x2 += dx * dx;
     }
     if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
+    if (ruler.furthest() > 0.0 && x2 > ruler.furthest() * ruler.furthest())
+      return {Overload::APART, i, std::sqrt(x2)};
   }
   return {};
 }

@@ -49,8 +49,7 @@ typename LagrangianSweeps<D, Precision>::Sums LagrangianSweeps<D, Precision>::ac
   TensorSums<D, Pack> displaced, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   const Motion own(*this, i);
-  const typename Base::template CorrectionHeat<false> heat(*this, i,
-                                                           needs_correction() ? at_along : X);
+  const typename Base::template CorrectionHeat<false> heat(*this, i, needs_correction() ? at_da : V);
   Neighbors neighbors(*this, block, last, std::max(last, at_da));
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
@@ -68,7 +67,7 @@ typename LagrangianSweeps<D, Precision>::Sums LagrangianSweeps<D, Precision>::ac
       corrected = heat.of(j);
     else    // compatible and conservative
       for (int a = 0; a < D; a++)
-        corrected = multiply_add(d.v[a], corrected_along(i, j, a), corrected);
+        corrected = multiply_add(d.v[a], component(i, at_da + a) - component(j, at_da + a), corrected);
     work.corrected = multiply_add(load(near.of(s - first)), corrected, work.corrected);
   }
   return {displaced.tensor(), velocity.tensor(), work};
@@ -209,7 +208,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   const int rho0 = at_rho;
   // of lanes without a partner, which may lie on what they read, and particles that land on their image:
   // find_overload() will say so.  Its inverse times 0 is 0
-  const Pack least_r2 = Precision::least_r2(Base::largest(types, &TypeData::h));
+  const Pack least_r2 = ruler.least_r2();
   const Pack zero(0.0), one(1.0);
   const Motion own(*this, i);
   const Places own_reference(*this, i, REFERENCE);

@@ -67,11 +67,10 @@ void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block
   const int first = slots.first[block], end = first + slots.nearest(block);
   const auto near = near_factors(block);
   const Pack mass = batch.load(p.mass);
-  const std::ptrdiff_t at = at_along * std::ptrdiff_t(NEXT);
   // what is the particle's own out of the loop, a tenth of its instructions
-  Pack own[D], v[D], f[D], power = 0.0;
+  const typename Base::template Along<!HEATS> of_pair(*this, i, at_da);
+  Pack v[D], f[D], power = 0.0;
   for (int a = 0; a < D; a++) {
-    own[a] = component(i + at, a);
     v[a] = component(i, V + a);
     f[a] = 0.0;
   }
@@ -79,15 +78,12 @@ void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
     const Pack w = load(near.of(s - first));
-    Pack along[D], of_pair = 0.0;
-    for (int a = 0; a < D; a++) {
-      along[a] = own[a] - component(j + at, a);
-      f[a] = multiply_add(w, along[a], f[a]);
-    }
+    Pack along[D], heat = 0.0;
+    of_pair.from(j, along);
+    for (int a = 0; a < D; a++) f[a] = multiply_add(w, along[a], f[a]);
     if (!HEATS) continue;
-    for (int a = 0; a < D; a++)
-      of_pair = multiply_add(v[a] - component(j, V + a), along[a], of_pair);
-    power = multiply_add(w, of_pair, power);
+    for (int a = 0; a < D; a++) heat = multiply_add(v[a] - component(j, V + a), along[a], heat);
+    power = multiply_add(w, heat, power);
   }
   for (int a = 0; a < D; a++)
     f[a] = multiply_add(0.5 * mass, f[a], load(uncorrected_force_of(block) + a * LANES));

@@ -470,10 +470,10 @@ typedef unsigned NativeWhole __attribute__((vector_size(WIDE * sizeof(unsigned))
 
 inline NativeWide native_to_single(NativeWhole a)
 {
-  typedef int Signed __attribute__((vector_size(WIDE * sizeof(int))));
 #if defined(SPHSOLID_AVX512)
   return _mm512_maskz_cvtepi32_ps(0xFFFF, reinterpret_cast<__m512i>(a));
 #else
+  typedef int Signed __attribute__((vector_size(WIDE * sizeof(int))));
   return __builtin_convertvector(reinterpret_cast<Signed>(a), NativeWide);
 #endif
 }

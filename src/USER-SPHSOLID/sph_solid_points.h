@@ -96,6 +96,13 @@ template <int D> class PointSweeps : public Sweeps {
       if (type.h > 0.0) most = std::max<double>(most, std::invoke(value, type));
     return most;
   }
+  static double least_h(const std::vector<TypeData> &types)
+  {
+    double least = NO_LIMIT;
+    for (const TypeData &type : types)
+      if (type.h > 0.0) least = std::min(least, type.h);
+    return least;
+  }
   std::vector<StrengthConstants<>> strengths;    // of the types
   std::vector<EosConstants<>> eos_of_types;
   std::vector<int> image_first, image_j;    // candidates among the images

@@ -18,7 +18,8 @@
    as many particles at a time; the state of particles, and what is added to it and to forces, in double
    precision.  Positions are whole numbers of 2^-22 h there, so that a difference is exact wherever a
    body is: a pair's is at most 2h or 2^23 units, which single precision has exactly.  Of a whole number
-   its last 32 bits are enough, since differences are less than 2^31 units, 512 h.
+   its last 32 bits are enough, since differences are less than 2^31 units, 512 h.  h is the least one of all
+   types; pairs of larger ones are rounded like all other numbers.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_PRECISION_H
@@ -50,9 +51,11 @@ struct DoublePrecision {
     static Place place(const double *from) { return load(from); }
     static Pack apart(Place a, Place b) { return a - b; }
     static double apart(const double *a, const double *b) { return *a - *b; }
+    // added to squares of distances that may be 0
+    static double least_r2() { return 1.0e-200; }
+    // partners that are further apart cannot be told from nearer ones; 0: all can
+    static double furthest() { return 0.0; }
   };
-  // added to squares of distances that may be 0
-  static double least_r2(double) { return 1.0e-200; }
 };
 
 struct MixedPrecision {
@@ -86,14 +89,24 @@ struct MixedPrecision {
       return unit * static_cast<int>(at[0] - at[1]);
     }
 
+    // less than 10^-3 of the square of the unit: what is apart at all has more
+    double least_r2() const { return 1.0e-4 * unit * unit; }
+    // half of what differences can be, so that what grows beyond is seen in time
+    double furthest() const { return unit * 0x1p30; }
+
    private:
     static constexpr double UNIT = 0x1p-22;
     double unit, units;    // [length], [1/length]
     Pack wide_unit;
   };
-  // less than 10^-3 of the square of the unit: what is apart at all has more
-  static double least_r2(double h) { return 1.0e-17 * h * h; }
 };
+
+// what mixed precision needs: coordinates of less than so many smoothing lengths (2^51 units), smoothing lengths
+// of types that differ by no more than this factor, and in the units of the input numbers that single precision has,
+// with room for products of a few of them
+
+constexpr double MIXED_FURTHEST = 1.0e8, MIXED_LENGTHS = 64.0, MIXED_LEAST = 1.0e-30,
+                 MIXED_MOST = 1.0e30;
 
 }    // namespace SPHSolid
 

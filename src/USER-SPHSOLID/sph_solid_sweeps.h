@@ -86,9 +86,10 @@ constexpr double LARGEST_COURANT_NUMBER = 1.5;
 // why the lagrangian frame has come to its end at a particle
 
 struct Overload {
-  enum Kind { NONE, TURNED_OVER, STRETCH, OVERLAP } kind = NONE;
+  enum Kind { NONE, TURNED_OVER, STRETCH, OVERLAP, APART } kind = NONE;
   int particle = -1;
-  double value = 0.0;    // det F, least principal stretch, or distance over that in the reference
+  // det F, least principal stretch, distance over that in the reference, distance (mixed precision)
+  double value = 0.0;
 };
 
 // LAMMPS's arrays of own and ghost particles, valid for one evaluation

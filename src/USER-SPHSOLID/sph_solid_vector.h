@@ -141,7 +141,7 @@ template <int part> inline Pack part_of(Pack v)
 
 // value(part) of each; part: a constant
 
-template <class P, class F> inline P of_parts(F value)
+template <class P, class F> [[gnu::always_inline]] inline P of_parts(F value)
 {
   using First = std::integral_constant<int, 0>;
   if constexpr (std::is_same_v<P, Pack>)
@@ -149,7 +149,7 @@ template <class P, class F> inline P of_parts(F value)
   else
     return joined(value(First()), value(std::integral_constant<int, 1>()));
 }
-template <class P, class F> inline void each_part(F call)
+template <class P, class F> [[gnu::always_inline]] inline void each_part(F call)
 {
   call(std::integral_constant<int, 0>());
   if constexpr (!std::is_same_v<P, Pack>) call(std::integral_constant<int, 1>());
