@@ -25,6 +25,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "sph_solid_eos.h"
+#include "sph_solid_precision.h"
 #include "sph_solid_sweeps.h"
 #include "sph_solid_threads.h"
 #include "update.h"
@@ -80,6 +81,7 @@ PairSPHSolid::PairSPHSolid(LAMMPS *lmp) :
       false;
   uncorrected_logged = false;
   message_of_sweeps = half_step_kept = true;
+  rounds_half_steps = false;
   integrated = kicked = list_threads = 0;
   evaluated_own = evaluated_all = -1;
 }
@@ -162,6 +164,7 @@ void PairSPHSolid::pack_kinematics(bool setup)
       each_share(comm->nthreads, p.nall, [&](int first, int end) {
         std::copy(p.rho + first, p.rho + end, p.rho_weight + first);
       });
+    if (rounds_half_steps) store_half_step();
     return sweeps->pack_kinematics(p, p.v);
   }
   message_of_sweeps = false;
@@ -179,6 +182,18 @@ void PairSPHSolid::swap_half_step()
   const Particles p = particles();
   for (int i = 0; i < p.nall; i++)
     for (int k = 0; k < 3; k++) std::swap(p.v[i][k], own->vhalf[k][i]);
+}
+
+// of own ones, now: with walls, which want them as they are, where sweeps round them
+
+void PairSPHSolid::store_half_step()
+{
+  double **v = atom->v;
+  each_share(comm->nthreads, atom->nlocal, [&](int first, int end) {
+    for (int i = first; i < end; i++)
+      for (int k = 0; k < 3; k++) own->vhalf[k][i] = v[i][k];
+  });
+  half_step_kept = true;
 }
 
 void PairSPHSolid::keep_half_step()
@@ -274,6 +289,7 @@ void PairSPHSolid::warn_compression()
 
 void PairSPHSolid::report_overload()
 {
+  if (options->mixed) stop_torn();
   if (options->distortion == Distortion::IGNORE || warned_overload) return;
   const Overload end = sweeps->find_overload();
   if (end.kind == Overload::NONE) return;
@@ -281,8 +297,7 @@ void PairSPHSolid::report_overload()
   static const char *const WHAT[] = {
       "", "its deformation gradient has turned over, with determinant",
       "it is squeezed flat, with a least principal stretch of",
-      "it lies on a partner, their distance over that in the reference is",
-      "precision mixed cannot follow its distance to a partner, which has become"};
+      "it lies on a partner, their distance over that in the reference is"};
   const std::string text = fmt::format(
       "sph/solid, frame lagrangian: the deformation is beyond what this frame can follow at "
       "particle {} at {:.8g} {:.8g} {:.8g} in step {}: {} {:.4g}. Use frame eulerian for fracture, "
@@ -292,6 +307,21 @@ void PairSPHSolid::report_overload()
   if (options->distortion == Distortion::ERROR) error->one(FLERR, Error::NOLASTLINE, text);
   error->warning(FLERR, text);
   warned_overload = true;
+}
+
+// whatever is asked for: numbers would be wrong
+
+void PairSPHSolid::stop_torn()
+{
+  const Overload end = sweeps->find_torn();
+  if (end.kind == Overload::NONE) return;
+  const int i = end.particle;
+  error->one(FLERR, Error::NOLASTLINE,
+             "sph/solid, precision mixed: particle {} at {:.8g} {:.8g} {:.8g} and a partner are "
+             "{:.4g} apart in step {}, further than this precision can tell: expected less than {} "
+             "smoothing lengths, or precision double",
+             atom->tag[i], atom->x[i][0], atom->x[i][1], atom->x[i][2], end.value,
+             update->ntimestep, MIXED_REACH);
 }
 
 /* ----------------------------------------------------------------------

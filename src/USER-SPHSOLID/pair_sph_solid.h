@@ -139,9 +139,11 @@ class PairSPHSolid : public Pair {
   bool resume;                  // the next setup continues where the last run ended
   bool resumed;                 // the last evaluation was such a setup
   bool half_step_kept;          // its velocities are stored, if there was one
-  int integrated;               // group bits of all fix sph/solid
-  int kicked;                   // and of fixes that kick by force over mass as well
-  bool warned_lost;             // warn once per run
+  bool
+      rounds_half_steps;    // of mixed precision, with walls: velocities are kept as they are in every step
+  int integrated;      // group bits of all fix sph/solid
+  int kicked;          // and of fixes that kick by force over mass as well
+  bool warned_lost;    // warn once per run
   bool warned_overload, warned_compression;
   int evaluated_own, evaluated_all;    // particles of the last evaluation, -1: none
   bool logged;                         // the materials are in the log
@@ -187,9 +189,11 @@ class PairSPHSolid : public Pair {
   static void give_back_freed_memory();
   void pack_kinematics(bool);
   void swap_half_step();
+  void store_half_step();
   void stop_unphysical(int);
   void warn_lost_neighbors();
   void report_overload();
+  void stop_torn();
   void warn_compression();
   SPHSolid::Particles particles() const;
   SPHSolid::NeighborRows rows() const;

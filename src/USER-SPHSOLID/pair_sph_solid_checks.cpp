@@ -24,10 +24,12 @@
 #include "force.h"
 #include "group.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "sph_solid_kernel.h"
 #include "sph_solid_precision.h"
 #include "sph_solid_ranks.h"
 #include "sph_solid_sweeps.h"
+#include "sph_solid_tensile.h"
 #include "update.h"
 
 #include <algorithm>
@@ -223,34 +225,54 @@ void PairSPHSolid::require_crowding() const
                  "Pair style sph/solid, tensile artificial: the smoothing length of type {} is "
                  "{:.4g} spacings, and its kernel is 0 at the spacing: expected more than 0.5",
                  i, types[i].h / types[i].spacing);
+  if (!options->mixed) return;
+  for (int i = 1; i <= atom->ntypes; i++) {
+    if (!setflag[i][i] || types[i].spacing == 0.0) continue;
+    const double most = crowding<2>(0.0, types[i].h, types[i].spacing, options->tensile_n);
+    if (!(most < MIXED_MOST))
+      error->all(
+          FLERR,
+          "Pair style sph/solid, tensile artificial with precision mixed: (W(0)/W(spacing))^n "
+          "of type {} is {:.4g}: expected less than {}, which single precision has room for",
+          i, most, MIXED_MOST);
+  }
 }
 
 // what precision mixed needs of smoothing lengths and units
 
 void PairSPHSolid::require_single_numbers() const
 {
-  double least = HUGE_VAL, most = 0.0;
+  double least = HUGE_VAL, most = 0.0, reach = 0.0;
   for (int i = 1; i <= atom->ntypes; i++) {
     if (!setflag[i][i]) continue;
+    reach = std::max({reach, 2.0 * types[i].h, options->hbar * types[i].spacing});
     least = std::min(least, types[i].h);
     most = std::max(most, types[i].h);
-    const double volume = std::pow(types[i].spacing, domain->dimension);
+    const double volume = std::pow(types[i].spacing, domain->dimension),
+                 mass = volume * types[i].material.rho0;
     if (volume == 0.0) continue;    // no particles
-    for (const double number :
-         {types[i].h * types[i].h, volume, volume * types[i].material.rho0,
-          volume * types[i].h * types[i].material.longitudinal_modulus()})
+    // what sweeps compute with; of masses inverses of small parts
+    for (const double number : {std::pow(types[i].h, domain->dimension + 2), mass * mass,
+                                volume * types[i].h * types[i].material.longitudinal_modulus()})
       if (!(number > MIXED_LEAST && number < MIXED_MOST))
-        error->all(FLERR,
-                   "Pair style sph/solid, precision mixed: h^2, volume, mass or stiffness of the "
-                   "particles of type {} is {:.4g}, in units {}: expected between {} and {}, which "
-                   "single precision has room for",
-                   i, number, update->unit_style, MIXED_LEAST, MIXED_MOST);
+        error->all(
+            FLERR,
+            "Pair style sph/solid, precision mixed: in units {} the smoothing length {:.4g}, "
+            "mass {:.4g} or modulus {:.4g} of the particles of type {} is beyond what single "
+            "precision has room for: expected other units, or precision double",
+            update->unit_style, types[i].h, mass, types[i].material.longitudinal_modulus(), i);
   }
   if (most > MIXED_LENGTHS * least)
     error->all(FLERR,
                "Pair style sph/solid, precision mixed: smoothing lengths of types are from {:.4g} "
                "to {:.4g}: expected a factor of at most {}",
                least, most, MIXED_LENGTHS);
+  reach += neighbor->skin;
+  if (reach > MIXED_REACH * least)
+    error->all(FLERR,
+               "Pair style sph/solid, precision mixed: neighbor lists reach {:.4g}, with the skin "
+               "{:.4g}: expected at most {} of the least smoothing length, {:.4g}",
+               reach, neighbor->skin, MIXED_REACH, MIXED_REACH * least);
 }
 
 // and of coordinates
@@ -260,13 +282,13 @@ void PairSPHSolid::require_near_origin() const
   double furthest = MIXED_FURTHEST * largest_smoothing_length();
   for (int i = 1; i <= atom->ntypes; i++)
     if (setflag[i][i]) furthest = std::min(furthest, MIXED_FURTHEST * types[i].h);
-  for (int k = 0; k < 3; k++)
+  for (int k = 0; k < domain->dimension; k++)
     for (const double bound : {domain->boxlo[k], domain->boxhi[k]})
       if (!(std::fabs(bound) < furthest))
         error->all(FLERR, Error::NOLASTLINE,
                    "Pair style sph/solid, precision mixed: the box reaches to {:.4g} along {} in "
                    "step {}: expected less than {:.4g}, {} of the least smoothing length",
-                   bound, "xyz"[k], update->ntimestep, furthest, MIXED_FURTHEST);
+                   bound, "xyz"[k], update -> ntimestep, furthest, MIXED_FURTHEST);
 }
 
 /* ----------------------------------------------------------------------

@@ -294,7 +294,7 @@ void PairSPHSolid::renew_reference(int groupbit)
 void PairSPHSolid::require_countable_neighbors() const
 {
   bigint candidates = 0;
-  for (int ii = 0; ii < list->inum; ii++) candidates += list->numneigh[list->ilist[ii]] + 2 * LANES;
+  for (int ii = 0; ii < list->inum; ii++) candidates += list->numneigh[list->ilist[ii]] + 2 * WIDE;
   if (candidates > MAXSMALLINT)
     error->one(FLERR, Error::NOLASTLINE,
                "sph/solid: the particles of rank {} have {} neighbors, and at most {} can be "

@@ -206,9 +206,11 @@ void PairSPHSolid::collect_planes()
 {
   std::vector<Plane> planes;
   double reach = 0.0;
+  rounds_half_steps = false;
   for (int i = 1; i <= atom->ntypes; i++) reach = std::max(reach, 2.0 * types[i].h);
   for (const auto &fix : modify->get_fix_list()) {
     auto *wall = dynamic_cast<FixSPHSolidWall *>(fix);
+    if (wall && options->mixed) rounds_half_steps = true;
     if (!wall || !wall->is_symmetry()) continue;
     for (const auto &other : planes)
       if (other.dim == wall->dimension() &&

@@ -113,7 +113,8 @@ std::uint64_t PairSPHSolid::numerics_mark() const
     print.add(value);
   for (const int value :
        {static_cast<int>(o.frame), static_cast<int>(o.viscosity), static_cast<int>(o.weights),
-        static_cast<int>(o.heating), o.corrected ? 1 : 0, o.tensile ? 1 : 0, o.energy ? 1 : 0})
+        static_cast<int>(o.heating), o.corrected ? 1 : 0, o.tensile ? 1 : 0, o.energy ? 1 : 0,
+        o.mixed ? 1 : 0})
     print.add(value);
   for (int t = 1; t <= atom->ntypes; t++) {
     if (!setflag[t][t]) continue;

@@ -78,10 +78,11 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
   // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
   static constexpr double IN_CACHE = 512.0 * 1024.0;    // [bytes]
   bool asks_ahead = false;
-  static constexpr int AHEAD = 128 / sizeof(Number);    // columns from what is read to what is asked for
-  bool with_rows = false;             // for bodies that are no lattice
-  std::vector<int> own;               // own particles in the order of columns
-  std::vector<int> column_of;         // of every own particle, ghost and image, -1: none
+  static constexpr int AHEAD =
+      128 / sizeof(Number);      // columns from what is read to what is asked for
+  bool with_rows = false;        // for bodies that are no lattice
+  std::vector<int> own;          // own particles in the order of columns
+  std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
   int end_of_own = 0, end_of_columns = 0;
 
   // components that messages fill: what ghosts are sent of the constitutive update lies from stress
@@ -478,13 +479,13 @@ typename ColumnSweeps<D, Precision>::Totals ColumnSweeps<D, Precision>::each_blo
 // and the components [first, end) that it writes; was it asked for?
 
 template <int D, class Precision>
-bool ColumnSweeps<D, Precision>::ask_points_ahead(const Particles &p, int block, const Batch &batch, int first,
-                                       int end) const
+bool ColumnSweeps<D, Precision>::ask_points_ahead(const Particles &p, int block, const Batch &batch,
+                                                  int first, int end) const
 {
   const int next = batch.i[0] + 2 * LANES;
   if (!asks_ahead || !batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal)
     return false;
-  Base::prefetch_state(p, next);
+  Base::prefetch_state(p, next, LANES);
   prefetch_components(columns.at((block + 2) * LANES), first, end);
   return true;
 }
@@ -566,7 +567,8 @@ void ColumnSweeps<D, Precision>::set_places(int column, int component, const dou
 
 // positions and velocities of ghosts and images
 
-template <int D, class Precision> void ColumnSweeps<D, Precision>::pack_ghosts(const Particles &p, const double *const *v)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::pack_ghosts(const Particles &p, const double *const *v)
 {
   each_share(nthreads, p.nall - p.nlocal, [&](int first, int end) {
     for (int i = p.nlocal + first; i < p.nlocal + end; i++) {
@@ -596,7 +598,8 @@ template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_vector
   }
 }
 
-template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_component(int component, double factor, int image)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::mirror_component(int component, double factor, int image)
 {
   const int from = column_of[images.source_of(image)], to = column_of[nparticles + image];
   columns.set(to, component, factor * columns.get(from, component));
@@ -605,19 +608,22 @@ template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_compon
 // a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
 // both signs
 
-template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_tensor(int component, const double *sign, int image)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::mirror_tensor(int component, const double *sign, int image)
 {
   for (int a = 0; a < D; a++)
     for (int b = 0; b < D; b++) mirror_component(component + D * a + b, sign[a] * sign[b], image);
 }
 
-template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_rate(int component, const double *sign, int image)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::mirror_rate(int component, const double *sign, int image)
 {
   for (int a = 0; a < D; a++)
     for (int b = a; b < D; b++) mirror_component(component++, sign[a] * sign[b], image);
 }
 
-template <int D, class Precision> void ColumnSweeps<D, Precision>::store_displacement(int block, const Pack *u)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::store_displacement(int block, const Pack *u)
 {
   columns.store(block * LANES, V, u, D);
   columns.copy_to_rows(block * LANES, V, V + D);
@@ -632,7 +638,8 @@ template <int D, class Precision> void ColumnSweeps<D, Precision>::displace(cons
   });
 }
 
-template <int D, class Precision> void ColumnSweeps<D, Precision>::displace(const Particles &p, const Kick &kick)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::displace(const Particles &p, const Kick &kick)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     Pack v[D], f[D], u[D], a = kick.a_scale / batch.load(p.mass);
@@ -664,7 +671,8 @@ void ColumnSweeps<D, Precision>::gather(const int *from, int first, int end, Num
   const Number *at[LANES];
   for (int m = 0; m < LANES; m++) at[m] = rows ? columns.row(from[m]) : columns.at(from[m]);
   if (!rows)
-    for (int c = first; c < end; c++) store(to + c * NEXT, Precision::pack_of_numbers([&](int m) {
+    for (int c = first; c < end; c++)
+      store(to + c * NEXT, Precision::pack_of_numbers([&](int m) {
               return at[m][c * NEXT];
             }));
   else
@@ -694,7 +702,8 @@ void ColumnSweeps<D, Precision>::add_forces(const Particles &p, const Batch &bat
    messages: a few components each
 ------------------------------------------------------------------------- */
 
-template <int D, class Precision> typename ColumnSweeps<D, Precision>::Part ColumnSweeps<D, Precision>::sent_with(Message what) const
+template <int D, class Precision>
+typename ColumnSweeps<D, Precision>::Part ColumnSweeps<D, Precision>::sent_with(Message what) const
 {
   const Sent at = sent();
   if (what == Message::STRESS) return {at.stress, at.da - at.stress};
@@ -707,7 +716,8 @@ template <int D, class Precision> int ColumnSweeps<D, Precision>::message_size(M
   return sent_with(what).size;
 }
 
-template <int D, class Precision> void ColumnSweeps<D, Precision>::pack(Message what, int i, double *out) const
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::pack(Message what, int i, double *out) const
 {
   const int column = column_of[i];    // none of who has no material
   const Part part = sent_with(what);
@@ -747,7 +757,8 @@ template <int D, class Precision> void ColumnSweeps<D, Precision>::find_lonely()
 // the whole viscous force: what is left of a pair's pull there, 0 elsewhere
 
 template <int D, class Precision>
-typename ColumnSweeps<D, Precision>::Pack ColumnSweeps<D, Precision>::whole_pull(const Number *i, const Number *j, int last, Pack pull) const
+typename ColumnSweeps<D, Precision>::Pack
+ColumnSweeps<D, Precision>::whole_pull(const Number *i, const Number *j, int last, Pack pull) const
 {
   if (!needs_correction()) return pull;
   const Pack zero(0.0);
@@ -757,7 +768,9 @@ typename ColumnSweeps<D, Precision>::Pack ColumnSweeps<D, Precision>::whole_pull
 
 // what the standard viscosity would heat, apart from pairs that are heated as they are
 
-template <int D, class Precision> typename ColumnSweeps<D, Precision>::Pack ColumnSweeps<D, Precision>::standard_power(const Number *i, Pack mass) const
+template <int D, class Precision>
+typename ColumnSweeps<D, Precision>::Pack
+ColumnSweeps<D, Precision>::standard_power(const Number *i, Pack mass) const
 {
   Pack power = 0.0;
   if (!needs_correction() || opt.heating != Heating::COMPATIBLE) return power;
@@ -770,7 +783,8 @@ template <int D, class Precision> typename ColumnSweeps<D, Precision>::Pack Colu
    virial, only on steps that ask for it: half of each pair's sum x_ij f_ij
 ------------------------------------------------------------------------- */
 
-template <int D, class Precision> void ColumnSweeps<D, Precision>::virial(const Particles &p, const NeighborRows &, double *six)
+template <int D, class Precision>
+void ColumnSweeps<D, Precision>::virial(const Particles &p, const NeighborRows &, double *six)
 {
   const NeighborRows list = own_list();
   Base::add_virial(blocks(), six, [&](int first, int end) {

@@ -49,7 +49,8 @@ template <class Call> void with_flag(bool flag, Call call)
 template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, Precision> {
  public:
   EulerianSweeps(const Options &o, const std::vector<TypeData> &t) :
-      ColumnSweeps<D, Precision>(o, t), uniform(are_alike(t)), at_rate(FIXED + (o.tensile ? D * D : 0)),
+      ColumnSweeps<D, Precision>(o, t), uniform(are_alike(t)),
+      at_rate(FIXED + (o.tensile ? D * D : 0)),
       at_da(at_rate + (needs_rates(pair_form(o.viscosity)) ? SYMMETRIC : 0)),
       at_h(at_da + (needs_correction() ? D : 0)), at_near(at_h + 1),
       common_h(Base::largest(t, &TypeData::h)),
@@ -79,10 +80,10 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
   using Bits = typename Precision::Bits;
   using Base::blocks, Base::column_of, Base::columns, Base::component, Base::each_block,
       Base::end_of_columns, Base::end_of_own, Base::image_first, Base::image_j, Base::images,
-      Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::motion, Base::needs_correction, Base::NEXT,
-      Base::nparticles, Base::nthreads, Base::opt, Base::own, Base::own_list, Base::particles_of,
-      Base::safe, Base::source_of, Base::SYMMETRIC, Base::tensor, Base::types, Base::unit_factor,
-      Base::V, Base::X;
+      Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::motion,
+      Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt, Base::own,
+      Base::own_list, Base::particles_of, Base::safe, Base::source_of, Base::SYMMETRIC,
+      Base::tensor, Base::types, Base::unit_factor, Base::V, Base::X;
 
   // components of a column behind positions and velocities: V/h0^(D+2), this step's; mass; what
   // ghosts are sent, from the constitutive update: T and K, where the force on i from j is
@@ -100,11 +101,11 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
 
   // slots of candidates, until neighbors are new
   struct Candidates {
-    std::vector<int> first{0};           // of each block, and one behind the last
-    std::vector<int> further;            // see GATHERED
-    std::vector<Bits> lanes;             // which lanes have one
-    std::vector<char> mirrored;          // is an image among them?
-    std::vector<int> gathered;           // LANES columns each
+    std::vector<int> first{0};     // of each block, and one behind the last
+    std::vector<int> further;      // see GATHERED
+    std::vector<Bits> lanes;       // which lanes have one
+    std::vector<char> mirrored;    // is an image among them?
+    std::vector<int> gathered;     // LANES columns each
     std::size_t count = 0;
     void append(const Candidates &);
   } candidates;
@@ -118,15 +119,15 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
   struct Pairs {
     std::vector<int> first, count, near_first, near_count;    // of blocks
     Room<int> further;
-    Room<Bits> lanes;    // which lanes have a pair
-    Room<float> factor;           // 0 in the others
-    Room<int> near;               // slots with a nearest neighbor
-    Room<float> near_kernel;      // of those: Wbar_ij h0^D
-    Room<Number> near_pull;       // weights safe: force on i = m_i/2 near_pull x_ij
-    Room<Number> pull;            // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
-    Room<Number> crowd;           // with artificial stress: (W/W(spacing))^n
+    Room<Bits> lanes;           // which lanes have a pair
+    Room<float> factor;         // 0 in the others
+    Room<int> near;             // slots with a nearest neighbor
+    Room<float> near_kernel;    // of those: Wbar_ij h0^D
+    Room<Number> near_pull;     // weights safe: force on i = m_i/2 near_pull x_ij
+    Room<Number> pull;          // viscous force on i = -m_i/h0^(D+2) pull x_ij, kept for heat
+    Room<Number> crowd;         // with artificial stress: (W/W(spacing))^n
   } pairs;
-  Numbers mu_max;             // of own: largest approach rate, for a time step limit
+  Numbers mu_max;          // of own: largest approach rate, for a time step limit
   int nuncorrected = 0;    // particles with neighbors and B = 1
 
   static bool are_alike(const std::vector<TypeData> &types)
@@ -234,8 +235,8 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
     [[gnu::always_inline]] Pack weight(int n, const Number *j) const
     {
       return correction_weight_of_inverse(CONSERVATIVE ? Weights::CONSERVATIVE : weights,
-                                          component(j, MASS) * Precision::load(kernels + n * LANES), own,
-                                          component(j, LAST));
+                                          component(j, MASS) * Precision::load(kernels + n * LANES),
+                                          own, component(j, LAST));
     }
 
    private:

@@ -35,7 +35,8 @@ constexpr double WORTH_ANOTHER_ORDER = 2.5, MUCH_BETTER = 0.9;
 constexpr std::size_t MANY = 1000;
 
 template <int D, class Precision>
-void EulerianSweeps<D, Precision>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
+void EulerianSweeps<D, Precision>::new_neighbors(const Particles &p, const NeighborRows &list,
+                                                 double reach)
 {
   Base::find_image_candidates(p, list, p.x, reach);
   nparticles = p.nall;
@@ -64,7 +65,8 @@ void EulerianSweeps<D, Precision>::try_other_order(const Particles &p, const Nei
   arrange_candidates(p, list);
 }
 
-template <int D, class Precision> void EulerianSweeps<D, Precision>::place_constants(const Particles &p, int i, int column)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::place_constants(const Particles &p, int i, int column)
 {
   const TypeData &type = types[p.type[i]];
   columns.set(column, MASS, p.mass[i]);
@@ -80,7 +82,8 @@ template <int D, class Precision> void EulerianSweeps<D, Precision>::place_const
    put in rows by their positions
 ------------------------------------------------------------------------- */
 
-template <int D, class Precision> void EulerianSweeps<D, Precision>::place_columns(const Particles &p, const NeighborRows &list)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::place_columns(const Particles &p, const NeighborRows &list)
 {
   struct Place {
     std::int64_t key;
@@ -143,7 +146,7 @@ template <int D, class Precision> struct EulerianSweeps<D, Precision>::Arranging
   const NeighborRows &list;
   const int first_image;                    // column
   std::vector<int> distances;               // how many columns further there are candidates
-  std::vector<Bits> together;      // which lanes have one as much further
+  std::vector<Bits> together;               // which lanes have one as much further
   std::vector<std::int64_t> lane[LANES];    // of each candidate what `ranked` has, in this order
   Candidates found;
 
@@ -301,7 +304,8 @@ template <int D, class Precision> struct EulerianSweeps<D, Precision>::Arranging
   }
 };
 
-template <int D, class Precision> void EulerianSweeps<D, Precision>::Candidates::append(const Candidates &other)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::Candidates::append(const Candidates &other)
 {
   count += other.count;
   const int slots = first.back(), vectors = static_cast<int>(gathered.size() / LANES);

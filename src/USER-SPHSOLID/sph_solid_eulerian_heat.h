@@ -100,7 +100,8 @@ void EulerianSweeps<D, Precision>::add_power(int block, Pack &stress, Pack &visc
 
 template <int D, class Precision>
 template <bool EVENLY>
-typename EulerianSweeps<D, Precision>::Pack EulerianSweeps<D, Precision>::corrected_power(int block) const
+typename EulerianSweeps<D, Precision>::Pack
+EulerianSweeps<D, Precision>::corrected_power(int block) const
 {
   const Number *i = columns.at(block * LANES);
   const Nearest near = nearest(block);
@@ -122,8 +123,8 @@ typename EulerianSweeps<D, Precision>::Pack EulerianSweeps<D, Precision>::correc
 ------------------------------------------------------------------------- */
 
 template <int D, class Precision>
-typename EulerianSweeps<D, Precision>::Tensors EulerianSweeps<D, Precision>::block_virial(const Particles &p, int block,
-                                                                    const Batch &batch) const
+typename EulerianSweeps<D, Precision>::Tensors
+EulerianSweeps<D, Precision>::block_virial(const Particles &p, int block, const Batch &batch) const
 {
   const Number *i = columns.at(block * LANES);
   const Nearest near = nearest(block);

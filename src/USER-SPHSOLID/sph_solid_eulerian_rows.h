@@ -23,7 +23,8 @@
 
 namespace {
 
-template <int D, class Precision> void EulerianSweeps<D, Precision>::pack_kinematics(const Particles &p, const double *const *v)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::pack_kinematics(const Particles &p, const double *const *v)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     this->pack_places(block, batch, p.x);
@@ -34,8 +35,9 @@ template <int D, class Precision> void EulerianSweeps<D, Precision>::pack_kinema
   });
   this->pack_ghosts(p, v);
   for (int i = p.nlocal; i < p.nall; i++)
-    if (column_of[i] >= 0)
-      columns.set(column_of[i], VOLUME, unit_factor * p.mass[i] / p.rho_weight[i]);
+    if (column_of[i] >= 0)    // to the same bits as of own particles
+      columns.set(column_of[i], VOLUME,
+                  Number(unit_factor) * Number(p.mass[i]) / Number(p.rho_weight[i]));
   for (int k = 0; k < images.count(); k++) this->mirror_component(VOLUME, 1.0, k);
 }
 

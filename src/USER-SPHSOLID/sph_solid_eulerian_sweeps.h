@@ -79,7 +79,7 @@ void EulerianSweeps<D, Precision>::find_pairs(int block, Finding &found)
   neighbors.ask_ahead(further + first, end - first);
   const Pack own_near = near_of<UNIFORM>(i);
   auto range_of = [&](Pack h, Pack near_of_other) {
-    const Pack range = maximum(SUPPORT * h, 0.5 * (own_near + near_of_other));
+    const Pack range = maximum(Precision::SUPPORT * h, 0.5 * (own_near + near_of_other));
     return range * range;
   };
   const Bits *lanes = candidates.lanes.data();
@@ -135,8 +135,7 @@ void EulerianSweeps<D, Precision>::find_factors(int block, Finding &found)
     const Pack hinv = UNIFORM ? common_inverse : 1.0 / load(length + k);
     const Single q =
         square_root(rounded(maximum(load(distance2 + k) * (hinv * hinv), Pack(LEAST_Q2))));
-    const Single scale = UNIFORM ? common_scale
-                                     : rounded(per_unit * Kernel::gradient_scale(hinv));
+    const Single scale = UNIFORM ? common_scale : rounded(per_unit * Kernel::gradient_scale(hinv));
     store(factors + k, scale * Kernel::gradient_shape(q, 1.0 / q));
     store(to_q + k, q);
   }
@@ -146,7 +145,8 @@ void EulerianSweeps<D, Precision>::find_factors(int block, Finding &found)
 
 template <int D, class Precision>
 template <bool UNIFORM>
-typename EulerianSweeps<D, Precision>::Sums EulerianSweeps<D, Precision>::accumulate(int block, Finding &found)
+typename EulerianSweeps<D, Precision>::Sums EulerianSweeps<D, Precision>::accumulate(int block,
+                                                                                     Finding &found)
 {
   const Number *i = columns.at(block * LANES), *length = found.length.data();
   const float *of_q = found.q.data();
@@ -228,8 +228,8 @@ int EulerianSweeps<D, Precision>::gradient(const Particles &p, const NeighborRow
 // read; the index of one whose state is not physical, or -1
 
 template <int D, class Precision>
-int EulerianSweeps<D, Precision>::update(const Particles &p, int block, const Batch &batch, Sums &sums,
-                              double dt, Totals &totals)
+int EulerianSweeps<D, Precision>::update(const Particles &p, int block, const Batch &batch,
+                                         Sums &sums, double dt, Totals &totals)
 {
   this->ask_points_ahead(p, block, batch, T, at_da);
   const PairForm form = pair_form(opt.viscosity);
@@ -279,7 +279,8 @@ int EulerianSweeps<D, Precision>::update(const Particles &p, int block, const Ba
 // artificial stress of a block, one particle after the other: eigenvalues
 
 template <int D, class Precision>
-typename EulerianSweeps<D, Precision>::Tensors EulerianSweeps<D, Precision>::tension_stress(const Tensors &sigma) const
+typename EulerianSweeps<D, Precision>::Tensors
+EulerianSweeps<D, Precision>::tension_stress(const Tensors &sigma) const
 {
   Tensor<D> R[LANES];
   for (int m = 0; m < LANES; m++)
@@ -297,7 +298,8 @@ typename EulerianSweeps<D, Precision>::Tensors EulerianSweeps<D, Precision>::ten
    force sweep
 ------------------------------------------------------------------------- */
 
-template <int D, class Precision> void EulerianSweeps<D, Precision>::force(const Particles &p, const NeighborRows &)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::force(const Particles &p, const NeighborRows &)
 {
   with_form(pair_form(opt.viscosity), [&](auto form) {
     force_blocks<form()>(p);
@@ -414,8 +416,8 @@ typename EulerianSweeps<D, Precision>::PairForces EulerianSweeps<D, Precision>::
 
 template <int D, class Precision>
 template <PairForm FORM, bool TENSILE>
-void EulerianSweeps<D, Precision>::add_forces_of_pairs(const Particles &p, int block, const Batch &batch,
-                                            const PairForces &sums)
+void EulerianSweeps<D, Precision>::add_forces_of_pairs(const Particles &p, int block,
+                                                       const Batch &batch, const PairForces &sums)
 {
   const bool viscous = FORM != PairForm::NONE, correct = viscous && needs_correction();
   const Number *i = columns.at(block * LANES);
@@ -441,5 +443,11 @@ void EulerianSweeps<D, Precision>::add_forces_of_pairs(const Particles &p, int b
 }
 
 }    // namespace
+
+template <int D, class Precision>
+std::unique_ptr<Sweeps> SPHSolid::eulerian_sweeps(const Options &o, const std::vector<TypeData> &t)
+{
+  return std::make_unique<EulerianSweeps<D, Precision>>(o, t);
+}
 
 #endif

@@ -23,7 +23,8 @@
 
 namespace {
 
-template <int D, class Precision> void EulerianSweeps<D, Precision>::find_switch(const Particles &p, const NeighborRows &)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::find_switch(const Particles &p, const NeighborRows &)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     const Number *i = columns.at(block * LANES);
@@ -31,7 +32,8 @@ template <int D, class Precision> void EulerianSweeps<D, Precision>::find_switch
     Neighbors neighbors(*this, block, X, at_da);
     for (int s = pairs.first[block]; s < pairs.first[block] + pairs.count[block]; s++) {
       const Number *j = neighbors(pairs.further[s]);
-      const Pack V_F = Precision::load(&pairs.factor[s * std::size_t(LANES)]) * component(j, VOLUME);
+      const Pack V_F =
+          Precision::load(&pairs.factor[s * std::size_t(LANES)]) * component(j, VOLUME);
       jumps.add(j, at_rate, -V_F);
     }
     columns.store(block * LANES, LAST, component(i, LAST) * jumps.unresolved());
@@ -43,7 +45,8 @@ template <int D, class Precision> void EulerianSweeps<D, Precision>::find_switch
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D, class Precision> void EulerianSweeps<D, Precision>::correction(const Particles &p, const NeighborRows &)
+template <int D, class Precision>
+void EulerianSweeps<D, Precision>::correction(const Particles &p, const NeighborRows &)
 {
   this->mirror_vectors(at_da);
   with_flag(opt.weights == Weights::CONSERVATIVE, [&](auto conservative) {

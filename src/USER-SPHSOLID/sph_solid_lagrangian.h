@@ -86,20 +86,22 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   int neighbor_count(int i) const override;
   int uncorrected() const override { return nuncorrected; }
   Overload find_overload() const override;
+  Overload find_torn() const override;
   double memory_usage() const override;
 
  private:
   using Base = ColumnSweeps<D, Precision>;
+  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
+      Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
+      Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely,
+      Base::mirror_vectors, Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles,
+      Base::nthreads, Base::opt, Base::own, Base::own_list, Base::particles_of, Base::repeat_last,
+      Base::ruler, Base::safe, Base::source_of, Base::standard_power, Base::store_tensor,
+      Base::stretching, Base::SYMMETRIC, Base::tensor, Base::types, Base::unit_factor, Base::V,
+      Base::with_rows, Base::X;
   using typename Base::Batch, typename Base::Motion, typename Base::Number, typename Base::Numbers,
       typename Base::Pack, typename Base::Parts, typename Base::Places, typename Base::Sent,
       typename Base::Single, typename Base::Tensors, typename Base::Totals;
-  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
-      Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
-      Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::mirror_vectors,
-      Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt,
-      Base::own, Base::own_list, Base::particles_of, Base::repeat_last, Base::ruler, Base::safe, Base::source_of,
-      Base::standard_power, Base::store_tensor, Base::stretching, Base::SYMMETRIC, Base::tensor,
-      Base::types, Base::unit_factor, Base::V, Base::with_rows, Base::X;
 
   // components of a column behind positions and velocities: positions in the reference,
   // V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
@@ -126,7 +128,7 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   // its heat is that of the force
   SingleRows damp;
   const double damping_unit;    // [pressure] the largest modulus of all materials
-  Numbers pull;                    // of slots: viscous force on i = -V0_i pull x_ij, kept for heat
+  Numbers pull;                 // of slots: viscous force on i = -V0_i pull x_ij, kept for heat
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
   using NearWeights = SharedVectors<Number, LANES>;
@@ -282,6 +284,8 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   Pack room_left(const Tensors &Fi, int block) const;
   Overload overload(int block) const;
   Overload overload(const Tensor<D> &Fi, int block, int lane) const;
+  template <class Find> Overload first_found(Find find) const;
+  Overload torn(int block) const;
 };
 
 }    // namespace

@@ -25,7 +25,8 @@ namespace {
 
 // Hooke's law, with F = 1 and so C = B^T
 
-template <int D, class Precision> void LagrangianSweeps<D, Precision>::elastic_stress(const Particles &p)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::elastic_stress(const Particles &p)
 {
   mirror_vectors(V);
   each_block([&](int block, const Batch &batch, Totals &) {
@@ -44,7 +45,8 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::elastic_s
   });
 }
 
-template <int D, class Precision> void LagrangianSweeps<D, Precision>::elastic_force(const Particles &p)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::elastic_force(const Particles &p)
 {
   const bool keeps = this->keeps_heat;
   this->keeps_heat = false;

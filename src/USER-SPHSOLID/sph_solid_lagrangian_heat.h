@@ -29,8 +29,9 @@ namespace {
 
 template <int D, class Precision>
 template <typename LagrangianSweeps<D, Precision>::Work WORK>
-inline void LagrangianSweeps<D, Precision>::add_work(const Kept &kept, int s, const Number *i, const Number *j,
-                                          const Parts &d, PairWork &work) const
+inline void LagrangianSweeps<D, Precision>::add_work(const Kept &kept, int s, const Number *i,
+                                                     const Number *j, const Parts &d,
+                                                     PairWork &work) const
 {
   const std::size_t k = s * std::size_t(LANES);
   Pack along = 0.0;    // velocities along distances when the forces were found
@@ -39,8 +40,8 @@ inline void LagrangianSweeps<D, Precision>::add_work(const Kept &kept, int s, co
     along = multiply_add(d.v[a], x, along);
   }
   if (kept.damping)
-    work.hourglass =
-        multiply_add(component(j, WEIGHT) * Precision::load(kept.damping + k), along, work.hourglass);
+    work.hourglass = multiply_add(component(j, WEIGHT) * Precision::load(kept.damping + k), along,
+                                  work.hourglass);
   if (kept.pulls)
     work.viscous =
         multiply_add(Base::heated_pull(i, j, LAST, load(kept.pulls + k)), along, work.viscous);
@@ -56,7 +57,8 @@ template <int D, class Precision> bool LagrangianSweeps<D, Precision>::can_keep_
   return !needs_correction() || Base::heats_evenly();
 }
 
-template <int D, class Precision> void LagrangianSweeps<D, Precision>::add_due_heat(const Particles &p, const NeighborRows &)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::add_due_heat(const Particles &p, const NeighborRows &)
 {
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     Sums sums = accumulate<Work::DUE>(block);
@@ -77,8 +79,8 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::enter_due
 // the work of forces on the particles of a block; of the stress the half with sigma_i
 
 template <int D, class Precision>
-typename LagrangianSweeps<D, Precision>::Power LagrangianSweeps<D, Precision>::power(int block, Pack mass,
-                                                               const Sums &sums) const
+typename LagrangianSweeps<D, Precision>::Power
+LagrangianSweeps<D, Precision>::power(int block, Pack mass, const Sums &sums) const
 {
   const Pack V0 = own_volume(block);
   const Tensors sigma_C = tensor(columns.at(block * LANES), T);
@@ -88,7 +90,7 @@ typename LagrangianSweeps<D, Precision>::Power LagrangianSweeps<D, Precision>::p
 
 template <int D, class Precision>
 void LagrangianSweeps<D, Precision>::enter_block(int block, Pack mass, int n, const Power &power,
-                                      Totals &totals) const
+                                                 Totals &totals) const
 {
   const Pack standard = standard_power(columns.at(block * LANES), mass);
   totals.viscous += Base::sum_of_first(power.viscous + power.corrected, n);
@@ -100,8 +102,9 @@ void LagrangianSweeps<D, Precision>::enter_block(int block, Pack mass, int n, co
 // with the velocities of that evaluation, known since, plus these
 
 template <int D, class Precision>
-void LagrangianSweeps<D, Precision>::add_late_heat(const Particles &p, int block, const Batch &batch,
-                                        const Sums &sums, Totals &totals) const
+void LagrangianSweeps<D, Precision>::add_late_heat(const Particles &p, int block,
+                                                   const Batch &batch, const Sums &sums,
+                                                   Totals &totals) const
 {
   const Pack mass = batch.load(p.mass);
   const Power late = power(block, mass, sums);
@@ -136,7 +139,8 @@ void LagrangianSweeps<D, Precision>::heat(const Particles &p, const NeighborRows
 
 template <int D, class Precision>
 typename LagrangianSweeps<D, Precision>::Tensors
-LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block, const Batch &batch) const
+LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block,
+                                             const Batch &batch) const
 {
   const Number *i = columns.at(block * LANES);
   const Pack V0 = own_volume(block), half_mass = 0.5 * batch.load(p.mass);
@@ -153,7 +157,8 @@ LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block, cons
     const Parts d = own.from(j);
     Pack reference[D], f[D], central = 0.0;
     own_reference.apart(j, REFERENCE, reference);
-    if (opt.hourglass > 0.0) central += damping_unit * component(j, WEIGHT) * Precision::load(&damp[k]);
+    if (opt.hourglass > 0.0)
+      central += damping_unit * component(j, WEIGHT) * Precision::load(&damp[k]);
     if (keeps_pairs()) central -= Base::whole_pull(i, j, LAST, load(&pull[k]));
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;

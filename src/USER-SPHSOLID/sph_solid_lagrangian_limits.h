@@ -36,7 +36,8 @@ constexpr double STEP_STRETCH = 0.05;
 // costs less than its way to memory in all of them
 
 template <int D, class Precision>
-typename LagrangianSweeps<D, Precision>::Tensors LagrangianSweeps<D, Precision>::deformation(int block) const
+typename LagrangianSweeps<D, Precision>::Tensors
+LagrangianSweeps<D, Precision>::deformation(int block) const
 {
   const Number *i = columns.at(block * LANES);
   Neighbors neighbors(*this, block, T);
@@ -58,14 +59,16 @@ typename LagrangianSweeps<D, Precision>::Tensors LagrangianSweeps<D, Precision>:
 ------------------------------------------------------------------------- */
 
 template <int D, class Precision>
-double LagrangianSweeps<D, Precision>::time_step_limit(const Particles &p, const NeighborRows &) const
+double LagrangianSweeps<D, Precision>::time_step_limit(const Particles &p,
+                                                       const NeighborRows &) const
 {
   return least_limit(p, nullptr);
 }
 
 template <int D, class Precision>
-double LagrangianSweeps<D, Precision>::scaled_time_step_limit(const Particles &p,
-                                                   const std::vector<double> &factors) const
+double
+LagrangianSweeps<D, Precision>::scaled_time_step_limit(const Particles &p,
+                                                       const std::vector<double> &factors) const
 {
   return least_limit(p, factors.data());
 }
@@ -111,12 +114,49 @@ double LagrangianSweeps<D, Precision>::least_limit(const Particles &p, const dou
 
 template <int D, class Precision> Overload LagrangianSweeps<D, Precision>::find_overload() const
 {
+  return first_found([this](int block) {
+    return overload(block);
+  });
+}
+
+// of the first block in which there is one
+
+template <int D, class Precision>
+template <class Find>
+Overload LagrangianSweeps<D, Precision>::first_found(Find find) const
+{
   const int n = blocks();
   const int block = Base::least_of(n, n, [&](int first, int end) {
-    while (first < end && overload(first).kind == Overload::NONE) first++;
+    while (first < end && find(first).kind == Overload::NONE) first++;
     return first < end ? first : n;
   });
-  return block < n ? overload(block) : Overload();
+  return block < n ? find(block) : Overload();
+}
+
+// where distances cannot be told any more
+
+template <int D, class Precision> Overload LagrangianSweeps<D, Precision>::find_torn() const
+{
+  if (!(ruler.furthest() > 0.0)) return {};
+  return first_found([this](int block) {
+    return torn(block);
+  });
+}
+
+template <int D, class Precision> Overload LagrangianSweeps<D, Precision>::torn(int block) const
+{
+  const Places own_place(*this, columns.at(block * LANES), X);
+  Neighbors neighbors(*this, block, T);
+  for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
+    const Number *j = neighbors(slot);
+    Pack x[D];
+    own_place.apart(j, X, x);
+    const Pack r2 = where_positive(-factor(slot, j), dot<D>(x, x), Pack(0.0));
+    const unsigned lanes = larger_lanes(r2, Pack(ruler.furthest() * ruler.furthest()));
+    for (int m = 0; m < particles_of(block); m++)
+      if (lanes >> m & 1) return {Overload::APART, own[block * LANES + m], std::sqrt(r2[m])};
+  }
+  return {};
 }
 
 // of the first particle of a block that is beyond it
@@ -134,13 +174,14 @@ template <int D, class Precision> Overload LagrangianSweeps<D, Precision>::overl
 
 // positive for particles that are surely not beyond it
 
-template <int D, class Precision> typename LagrangianSweeps<D, Precision>::Pack LagrangianSweeps<D, Precision>::room_left(const Tensors &Fi, int block) const
+template <int D, class Precision>
+typename LagrangianSweeps<D, Precision>::Pack
+LagrangianSweeps<D, Precision>::room_left(const Tensors &Fi, int block) const
 {
   Pack room = minimum(stretch_bound<D>(Fi) - LEAST_STRETCH, Fi.determinant());
   const Number *i = columns.at(block * LANES);
   const Places own(*this, i, X), own_reference(*this, i, REFERENCE);
   Neighbors neighbors(*this, block, T);
-  const Pack furthest = ruler.furthest() * ruler.furthest();
   for (int slot = slots.first[block]; slot < slots.first[block + 1]; slot++) {
     const Number *j = neighbors(slot);
     Pack x[D], reference[D], apart = 0.0;
@@ -148,7 +189,6 @@ template <int D, class Precision> typename LagrangianSweeps<D, Precision>::Pack 
     own_reference.apart(j, REFERENCE, reference);
     for (int a = 0; a < D; a++)
       apart += x[a] * x[a] - LEAST_STRETCH * LEAST_STRETCH * reference[a] * reference[a];
-    if (ruler.furthest() > 0.0) apart = minimum(apart, furthest - dot<D>(x, x));
     room = minimum(room, where_positive(-factor(slot, j), apart, Pack(1.0)));
   }
   return room;
@@ -175,8 +215,6 @@ Overload LagrangianSweeps<D, Precision>::overload(const Tensor<D> &Fi, int block
       x2 += dx * dx;
     }
     if (x2 < LEAST_STRETCH * LEAST_STRETCH * X2) return {Overload::OVERLAP, i, std::sqrt(x2 / X2)};
-    if (ruler.furthest() > 0.0 && x2 > ruler.furthest() * ruler.furthest())
-      return {Overload::APART, i, std::sqrt(x2)};
   }
   return {};
 }

@@ -61,7 +61,7 @@ inline std::int64_t id_of(const Particles &p, int i)
 
 template <int D, class Precision>
 int LagrangianSweeps<D, Precision>::longest_side(const NeighborRows &list,
-                                      const std::vector<double> &reference)
+                                                 const std::vector<double> &reference)
 {
   int longest = 0;
   double length = -1.0;
@@ -81,7 +81,7 @@ int LagrangianSweeps<D, Precision>::longest_side(const NeighborRows &list,
 
 template <int D, class Precision>
 void LagrangianSweeps<D, Precision>::place_columns(const Particles &p, const NeighborRows &list,
-                                        const std::vector<double> &reference, int side)
+                                                   const std::vector<double> &reference, int side)
 {
   struct Place {
     std::int64_t key[D];    // from the slowest on
@@ -128,7 +128,7 @@ void LagrangianSweeps<D, Precision>::place_columns(const Particles &p, const Nei
 
 template <int D, class Precision>
 void LagrangianSweeps<D, Precision>::unwrap_references(const Particles &p, const NeighborRows &list,
-                                            std::vector<double> &reference) const
+                                                       std::vector<double> &reference) const
 {
   std::vector<char> placed(p.nall, 0);
   std::vector<int> open;
@@ -157,7 +157,7 @@ void LagrangianSweeps<D, Precision>::unwrap_references(const Particles &p, const
 
 template <int D, class Precision>
 std::vector<double> LagrangianSweeps<D, Precision>::place_references(const Particles &p,
-                                                          const NeighborRows &list) const
+                                                                     const NeighborRows &list) const
 {
   std::vector<double> reference((p.nall + images.count()) * std::size_t(D));
   for (int i = 0; i < p.nall; i++)
@@ -188,11 +188,11 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
 
   std::vector<Partner> partners[LANES];
   SingleRows constants;        // of the pairs of a block's slots
-  Numbers near;                   // m_j Wbar of the nearest
+  Numbers near;                // m_j Wbar of the nearest
   std::vector<int> offsets;    // of a block's slots, 0: gathered
   Tensor<D> moment[LANES];     // M
-  Vector<D> sum[LANES];        // of V0_j g_ij: inside of a lattice nothing is left of it but rounding
-  double nsum[LANES];          // n of the correction: sum m_j Wbar
+  Vector<D> sum[LANES];    // of V0_j g_ij: inside of a lattice nothing is left of it but rounding
+  double nsum[LANES];      // n of the correction: sum m_j Wbar
 
   static constexpr std::int64_t PLACES = 1 << 10;    // more than a kernel has spacings
 
@@ -335,8 +335,11 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
     float *of_slot = &constants[slot * Slots::CONSTANTS + m], &factor = of_slot[Slots::FACTOR];
     factor = CubicSpline<D>::gradient_factor(partner.r, h) / of.unit_factor;
     of_slot[Slots::NEARNESS] = q / (q * q + MU_EPSILON);
-    const Vector<D> X = separation(i, partner.row);
-    const Vector<D> of_pair = factor * of.columns.get(partner.column, WEIGHT) * X;
+    // rounded as sweeps will find it
+    const Number F = static_cast<Number>(factor * of.columns.get(partner.column, WEIGHT));
+    Vector<D> X;
+    for (int a = 0; a < D; a++) X[a] = of.apart(block * LANES + m, partner.column, REFERENCE + a);
+    const Vector<D> of_pair = static_cast<double>(F) * X;
     moment[m] -= of_pair * X.transpose();
     sum[m] += of_pair;
     if (!partner.nearest) return;
@@ -375,7 +378,8 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
 ------------------------------------------------------------------------- */
 
 template <int D, class Precision>
-void LagrangianSweeps<D, Precision>::new_neighbors(const Particles &p, const NeighborRows &list, double reach)
+void LagrangianSweeps<D, Precision>::new_neighbors(const Particles &p, const NeighborRows &list,
+                                                   double reach)
 {
   Base::find_image_candidates(p, list, p.xref, reach);
   nparticles = p.nall;
@@ -406,8 +410,9 @@ void LagrangianSweeps<D, Precision>::new_neighbors(const Particles &p, const Nei
 // too; returns how many gathered slots there are before each block, and in all
 
 template <int D, class Precision>
-std::vector<int> LagrangianSweeps<D, Precision>::choose_order(const Particles &p, const NeighborRows &list,
-                                                   const std::vector<double> &reference)
+std::vector<int> LagrangianSweeps<D, Precision>::choose_order(const Particles &p,
+                                                              const NeighborRows &list,
+                                                              const std::vector<double> &reference)
 {
   auto room = [&]() {    // for how many times the pairs there are
     const auto pairs = std::accumulate(slots.count.begin(), slots.count.end(), std::int64_t(0));
@@ -439,8 +444,9 @@ std::vector<int> LagrangianSweeps<D, Precision>::choose_order(const Particles &p
 // place columns and find out how many slots blocks have
 
 template <int D, class Precision>
-std::vector<int> LagrangianSweeps<D, Precision>::count_slots(const Particles &p, const NeighborRows &list,
-                                                  const std::vector<double> &reference, int side)
+std::vector<int>
+LagrangianSweeps<D, Precision>::count_slots(const Particles &p, const NeighborRows &list,
+                                            const std::vector<double> &reference, int side)
 {
   place_columns(p, list, reference, side);
   slots.first.assign(blocks() + 1, 0);

@@ -37,7 +37,8 @@ namespace {
 
 template <int D, class Precision>
 template <typename LagrangianSweeps<D, Precision>::Work WORK>
-typename LagrangianSweeps<D, Precision>::Sums LagrangianSweeps<D, Precision>::accumulate(int block) const
+typename LagrangianSweeps<D, Precision>::Sums
+LagrangianSweeps<D, Precision>::accumulate(int block) const
 {
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1],
@@ -49,7 +50,8 @@ typename LagrangianSweeps<D, Precision>::Sums LagrangianSweeps<D, Precision>::ac
   TensorSums<D, Pack> displaced, velocity;
   PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   const Motion own(*this, i);
-  const typename Base::template CorrectionHeat<false> heat(*this, i, needs_correction() ? at_da : V);
+  const typename Base::template CorrectionHeat<false> heat(*this, i,
+                                                           needs_correction() ? at_da : V);
   Neighbors neighbors(*this, block, last, std::max(last, at_da));
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
@@ -67,7 +69,8 @@ typename LagrangianSweeps<D, Precision>::Sums LagrangianSweeps<D, Precision>::ac
       corrected = heat.of(j);
     else    // compatible and conservative
       for (int a = 0; a < D; a++)
-        corrected = multiply_add(d.v[a], component(i, at_da + a) - component(j, at_da + a), corrected);
+        corrected =
+            multiply_add(d.v[a], component(i, at_da + a) - component(j, at_da + a), corrected);
     work.corrected = multiply_add(load(near.of(s - first)), corrected, work.corrected);
   }
   return {displaced.tensor(), velocity.tensor(), work};
@@ -89,7 +92,8 @@ int LagrangianSweeps<D, Precision>::gradient(const Particles &p, const NeighborR
 
 // behind the last particle the last one again
 
-template <int D, class Precision> void LagrangianSweeps<D, Precision>::repeat_last(Sums &sums, int n)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::repeat_last(Sums &sums, int n)
 {
   for (Tensors *of : {&sums.displacement, &sums.velocity}) Base::repeat_last(*of, n);
   for (Pack *of : {&sums.work.viscous, &sums.work.corrected, &sums.work.hourglass})
@@ -101,8 +105,8 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::repeat_la
 
 template <int D, class Precision>
 template <bool LATE>
-int LagrangianSweeps<D, Precision>::update(const Particles &p, int block, const Batch &batch, double dt,
-                                Totals &totals)
+int LagrangianSweeps<D, Precision>::update(const Particles &p, int block, const Batch &batch,
+                                           double dt, Totals &totals)
 {
   if (Base::ask_points_ahead(p, block, batch, T, at_da))
     prefetch(correction_of(block + 2), SYMMETRIC * LANES);
@@ -148,7 +152,8 @@ int LagrangianSweeps<D, Precision>::update(const Particles &p, int block, const 
    force sweep
 ------------------------------------------------------------------------- */
 
-template <int D, class Precision> void LagrangianSweeps<D, Precision>::force(const Particles &p, const NeighborRows &)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::force(const Particles &p, const NeighborRows &)
 {
   with_form(pair_form(opt.viscosity), [&](auto form) {
     if (opt.hourglass > 0.0)
@@ -194,7 +199,7 @@ void LagrangianSweeps<D, Precision>::force_each(const Particles &p)
 template <int D, class Precision>
 template <PairForm FORM, bool HOURGLASS, bool UNLIKE>
 void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, const Batch &batch,
-                                      Totals &totals)
+                                                 Totals &totals)
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
@@ -265,8 +270,8 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
     if (VISCOUS) {
       const Pack on = needs_switch(FORM) ? 0.5 * (component(i, LAST) + component(j, LAST)) : one;
       const Pack jump = jump_left<FORM>(vr, li, lj, on);
-      const Pack mu =
-          minimum(jump, zero) * Precision::load(constant + Slots::NEARNESS) * square_root(r2) * inv_r2;
+      const Pack mu = minimum(jump, zero) * Precision::load(constant + Slots::NEARNESS) *
+          square_root(r2) * inv_r2;
       Pack rho = own_density + component(j, DENSITY);    // twice the mean, with tr B/D
       if (UNLIKE)
         rho = 2.0 * (inverse * r2 * impedances) *
@@ -325,5 +330,12 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
 }
 
 }    // namespace
+
+template <int D, class Precision>
+std::unique_ptr<Sweeps> SPHSolid::lagrangian_sweeps(const Options &o,
+                                                    const std::vector<TypeData> &t)
+{
+  return std::make_unique<LagrangianSweeps<D, Precision>>(o, t);
+}
 
 #endif

@@ -23,7 +23,8 @@
 
 namespace {
 
-template <int D, class Precision> void LagrangianSweeps<D, Precision>::find_switch(const Particles &p, const NeighborRows &)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::find_switch(const Particles &p, const NeighborRows &)
 {
   each_block([&](int block, const Batch &batch, Totals &) {
     const Number *i = columns.at(block * LANES);
@@ -42,7 +43,8 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::find_swit
    correction sweep: replaces the viscous acceleration by its grid-scale part
 ------------------------------------------------------------------------- */
 
-template <int D, class Precision> void LagrangianSweeps<D, Precision>::correction(const Particles &p, const NeighborRows &)
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::correction(const Particles &p, const NeighborRows &)
 {
   mirror_vectors(at_da);
   if (!weights_known) find_weights();
@@ -60,8 +62,8 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::correctio
 
 template <int D, class Precision>
 template <bool HEATS>
-void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block, const Batch &batch,
-                                        Totals &totals)
+void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block,
+                                                   const Batch &batch, Totals &totals)
 {
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = first + slots.nearest(block);

@@ -158,7 +158,8 @@ inline PortableVector<T, N> native_where_lanes(unsigned lanes, const PortableVec
     return lanes >> k & 1 ? a[k] : b[k];
   });
 }
-template <class T, int N> inline PortableVector<T, N> native_square_root(const PortableVector<T, N> &a)
+template <class T, int N>
+inline PortableVector<T, N> native_square_root(const PortableVector<T, N> &a)
 {
   return each_lane<T, N>([&](int k) {
     return std::sqrt(a[k]);
@@ -237,6 +238,50 @@ inline void native_store_whole(void *to, const Native &a)
 #else
 
 typedef double Native __attribute__((vector_size(LANES * sizeof(double))));
+typedef float NativeSingle __attribute__((vector_size(LANES * sizeof(float))));
+typedef float NativeWide __attribute__((vector_size(WIDE * sizeof(float))));
+
+// of any of these vectors, and with the instructions of AVX-512
+
+template <class V> inline V native_where_positive(V condition, V a, V b)
+{
+  return condition > V{} ? a : b;
+}
+template <class V> inline V native_minimum(V a, V b)
+{
+  return a < b ? a : b;
+}
+template <class V> inline V native_maximum(V a, V b)
+{
+  return a > b ? a : b;
+}
+
+#if defined(SPHSOLID_AVX512)
+inline Native native_where_positive(Native condition, Native a, Native b)
+{
+  return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(condition, Native{}, _CMP_GT_OQ), b, a);
+}
+inline NativeWide native_where_positive(NativeWide condition, NativeWide a, NativeWide b)
+{
+  return _mm512_mask_blend_ps(_mm512_cmp_ps_mask(condition, NativeWide{}, _CMP_GT_OQ), b, a);
+}
+inline Native native_minimum(Native a, Native b)
+{
+  return _mm512_maskz_min_pd(0xFF, a, b);
+}
+inline NativeWide native_minimum(NativeWide a, NativeWide b)
+{
+  return _mm512_maskz_min_ps(0xFFFF, a, b);
+}
+inline Native native_maximum(Native a, Native b)
+{
+  return _mm512_maskz_max_pd(0xFF, a, b);
+}
+inline NativeWide native_maximum(NativeWide a, NativeWide b)
+{
+  return _mm512_maskz_max_ps(0xFFFF, a, b);
+}
+#endif
 
 template <class V, class T> inline V native_all(T a)
 {
@@ -259,14 +304,6 @@ inline Native native_multiply_add(Native a, Native b, Native c)
   return out;
 #else
   return a * b + c;
-#endif
-}
-inline Native native_where_positive(Native condition, Native a, Native b)
-{
-#if defined(SPHSOLID_AVX512)
-  return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(condition, Native{}, _CMP_GT_OQ), b, a);
-#else
-  return condition > Native{} ? a : b;
 #endif
 }
 inline unsigned native_larger_lanes(Native a, Native b)
@@ -300,33 +337,7 @@ inline Native native_square_root(Native a)
   return a;
 #endif
 }
-inline Native native_minimum(Native a, Native b)
-{
-#if defined(SPHSOLID_AVX512)
-  return _mm512_maskz_min_pd(0xFF, a, b);
-#else
-  return a < b ? a : b;
-#endif
-}
-inline Native native_maximum(Native a, Native b)
-{
-#if defined(SPHSOLID_AVX512)
-  return _mm512_maskz_max_pd(0xFF, a, b);
-#else
-  return a > b ? a : b;
-#endif
-}
 
-typedef float NativeSingle __attribute__((vector_size(LANES * sizeof(float))));
-
-inline NativeSingle native_where_positive(NativeSingle condition, NativeSingle a, NativeSingle b)
-{
-  return condition > NativeSingle{} ? a : b;
-}
-inline NativeSingle native_maximum(NativeSingle a, NativeSingle b)
-{
-  return a > b ? a : b;
-}
 inline unsigned native_larger_lanes(NativeSingle a, NativeSingle b)
 {
 #if defined(__AVX__) && SPHSOLID_LANES == 8
@@ -370,8 +381,6 @@ inline NativeSingle native_square_root(NativeSingle a)
 #endif
 }
 
-typedef float NativeWide __attribute__((vector_size(WIDE * sizeof(float))));
-
 inline NativeWide native_multiply_add(NativeWide a, NativeWide b, NativeWide c)
 {
 #if defined(SPHSOLID_AVX512)
@@ -383,14 +392,6 @@ inline NativeWide native_multiply_add(NativeWide a, NativeWide b, NativeWide c)
   return a;
 #else
   return a * b + c;
-#endif
-}
-inline NativeWide native_where_positive(NativeWide condition, NativeWide a, NativeWide b)
-{
-#if defined(SPHSOLID_AVX512)
-  return _mm512_mask_blend_ps(_mm512_cmp_ps_mask(condition, NativeWide{}, _CMP_GT_OQ), b, a);
-#else
-  return condition > NativeWide{} ? a : b;
 #endif
 }
 inline unsigned native_larger_lanes(NativeWide a, NativeWide b)
@@ -423,22 +424,6 @@ inline NativeWide native_square_root(NativeWide a)
 #else
   for (int k = 0; k < WIDE; k++) a[k] = std::sqrt(a[k]);
   return a;
-#endif
-}
-inline NativeWide native_minimum(NativeWide a, NativeWide b)
-{
-#if defined(SPHSOLID_AVX512)
-  return _mm512_maskz_min_ps(0xFFFF, a, b);
-#else
-  return a < b ? a : b;
-#endif
-}
-inline NativeWide native_maximum(NativeWide a, NativeWide b)
-{
-#if defined(SPHSOLID_AVX512)
-  return _mm512_maskz_max_ps(0xFFFF, a, b);
-#else
-  return a > b ? a : b;
 #endif
 }
 
@@ -508,7 +493,8 @@ inline V shuffle_lanes(V a, V b, std::integer_sequence<int, n...>)
 }
 template <int i, int j, int k, int l, class V> inline V native_shuffle(V a, V b)
 {
-  return shuffle_lanes<i, j, k, l>(a, b, std::make_integer_sequence<int, sizeof(V) / sizeof(a[0])>());
+  return shuffle_lanes<i, j, k, l>(a, b,
+                                   std::make_integer_sequence<int, sizeof(V) / sizeof(a[0])>());
 }
 
 #endif

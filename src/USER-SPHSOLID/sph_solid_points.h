@@ -265,12 +265,12 @@ template <int D> class PointSweeps : public Sweeps {
   Points update_points(const Particles &, const Batch &, const Tensor<D, Pack> &L_mid, double dt);
   PointsOf<WidePack> update_points(const Particles &, const BatchOf<WidePack> &,
                                    const Tensor<D, WidePack> &L_mid, double dt);
-  // what update_points() reads of LANES particles from next on
-  static void prefetch_state(const Particles &p, int next)
+  // what update_points() reads of n particles from next on
+  static void prefetch_state(const Particles &p, int next, int n)
   {
-    prefetch(p.stress[next], 6 * LANES);
+    prefetch(p.stress[next], 6 * n);
     const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume};
-    for (const double *array : arrays) prefetch(array + next, LANES);
+    for (const double *array : arrays) prefetch(array + next, n);
   }
   template <class Pack> static int unphysical(const BatchOf<Pack> &, Pack rho, Pack others);
   template <class Pack> Pack own_switch(const Tensor<D, Pack> &L, Pack c, Pack h) const;
@@ -445,8 +445,8 @@ PointSweeps<D>::update_points(const Particles &p, const BatchOf<WidePack> &batch
     return update_points(p, batch.template part_of_batch<part()>(), L, dt);
   };
   const Points first = update(std::integral_constant<int, 0>());
-  const Points second =
-      batch.template left<1>() > 0 ? update(std::integral_constant<int, 1>()) : first;
+  const Points second = batch.template left<1>() > 0 ? update(std::integral_constant<int, 1>())
+                                                     : first;
   PointsOf<WidePack> both;
   both.state.rho = joined(first.state.rho, second.state.rho);
   both.eos = {joined(first.eos.P, second.eos.P), joined(first.eos.c2, second.eos.c2)};

@@ -17,7 +17,7 @@
    Double: everything.  Mixed: what is read of particles, pairs and their sums in single precision, and so twice
    as many particles at a time; the state of particles, and what is added to it and to forces, in double
    precision.  Positions are whole numbers of 2^-22 h there, so that a difference is exact wherever a
-   body is: a pair's is at most 2h or 2^23 units, which single precision has exactly.  Of a whole number
+   body is: up to 4h or 2^24 units single precision has it exactly.  Of a whole number
    its last 32 bits are enough, since differences are less than 2^31 units, 512 h.  h is the least one of all
    types; pairs of larger ones are rounded like all other numbers.
 ------------------------------------------------------------------------- */
@@ -25,6 +25,7 @@
 #ifndef LMP_SPH_SOLID_PRECISION_H
 #define LMP_SPH_SOLID_PRECISION_H
 
+#include "sph_solid_kernel.h"
 #include "sph_solid_storage.h"
 #include "sph_solid_vector.h"
 
@@ -33,9 +34,10 @@ namespace SPHSolid {
 struct DoublePrecision {
   using Number = double;
   using Pack = SPHSolid::Pack;
-  using Single = SinglePack;    // of what is kept in single precision in any case
-  using Place = Pack;           // a component of positions
-  using Bits = unsigned char;   // one for each lane
+  using Single = SinglePack;     // of what is kept in single precision in any case
+  using Place = Pack;            // a component of positions
+  using Bits = unsigned char;    // one for each lane
+  static constexpr double SUPPORT = SPHSolid::SUPPORT;
 
   static Pack load(const double *from) { return SPHSolid::load(from); }
   static Pack load(const float *from) { return SPHSolid::load(from); }
@@ -64,6 +66,8 @@ struct MixedPrecision {
   using Single = WidePack;
   using Place = WholePack;
   using Bits = unsigned short;
+  static constexpr double SUPPORT =
+      2.0 * (1.0 - 1.0e-6);    // as sph_solid_kernel.h, in single precision
 
   static Pack load(const float *from) { return load_wide(from); }
   template <class F> static Pack pack_of_numbers(F value) { return floats_of(value); }
@@ -89,10 +93,10 @@ struct MixedPrecision {
       return unit * static_cast<int>(at[0] - at[1]);
     }
 
-    // less than 10^-3 of the square of the unit: what is apart at all has more
-    double least_r2() const { return 1.0e-4 * unit * unit; }
+    // 10^-12 h^2: nothing beside that of partners whose frame is not at its end
+    double least_r2() const { return 18.0 * unit * unit; }
     // half of what differences can be, so that what grows beyond is seen in time
-    double furthest() const { return unit * 0x1p30; }
+    double furthest() const { return unit * 0x1p30; }    // MIXED_REACH h
 
    private:
     static constexpr double UNIT = 0x1p-22;
@@ -101,12 +105,12 @@ struct MixedPrecision {
   };
 };
 
-// what mixed precision needs: coordinates of less than so many smoothing lengths (2^51 units), smoothing lengths
-// of types that differ by no more than this factor, and in the units of the input numbers that single precision has,
-// with room for products of a few of them
+// what mixed precision needs: coordinates of less than so many smoothing lengths (2^51 units); smoothing lengths
+// of types, and what neighbor lists reach beyond the least of them, that differ by no more than these factors; and in
+// the units of the input numbers that single precision has, with room for products of a few of them
 
-constexpr double MIXED_FURTHEST = 1.0e8, MIXED_LENGTHS = 64.0, MIXED_LEAST = 1.0e-30,
-                 MIXED_MOST = 1.0e30;
+constexpr double MIXED_FURTHEST = 1.0e8, MIXED_LENGTHS = 64.0, MIXED_REACH = 256.0,
+                 MIXED_LEAST = 1.0e-30, MIXED_MOST = 1.0e30;
 
 }    // namespace SPHSolid
 

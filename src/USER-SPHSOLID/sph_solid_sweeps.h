@@ -242,6 +242,8 @@ class Sweeps {
 
   // the particle that the frame can follow no further, if there is one
   virtual Overload find_overload() const { return {}; }
+  // and the one whose partner is too far away for this precision
+  virtual Overload find_torn() const { return {}; }
 };
 
 // one per frame, dimension and precision, for create()

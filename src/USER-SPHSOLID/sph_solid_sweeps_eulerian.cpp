@@ -18,13 +18,6 @@
 
 #include "sph_solid_eulerian_sweeps.h"
 
-template <int D, class Precision>
-std::unique_ptr<Sweeps> SPHSolid::eulerian_sweeps(const Options &o,
-                                                    const std::vector<TypeData> &t)
-{
-  return std::make_unique<EulerianSweeps<D, Precision>>(o, t);
-}
-
 template std::unique_ptr<Sweeps>
 SPHSolid::eulerian_sweeps<2, DoublePrecision>(const Options &, const std::vector<TypeData> &);
 template std::unique_ptr<Sweeps>

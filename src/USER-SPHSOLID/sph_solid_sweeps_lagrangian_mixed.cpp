@@ -18,13 +18,6 @@
 
 #include "sph_solid_lagrangian_sweeps.h"
 
-template <int D, class Precision>
-std::unique_ptr<Sweeps> SPHSolid::lagrangian_sweeps(const Options &o,
-                                                    const std::vector<TypeData> &t)
-{
-  return std::make_unique<LagrangianSweeps<D, Precision>>(o, t);
-}
-
 template std::unique_ptr<Sweeps>
 SPHSolid::lagrangian_sweeps<2, MixedPrecision>(const Options &, const std::vector<TypeData> &);
 template std::unique_ptr<Sweeps>

@@ -53,7 +53,8 @@ template <int D, class Real> inline Real compression_share(const Tensor<D, Real>
       const Real d = 0.5 * (L(a, b) + L(b, a));
       d2 += d * d;
     }
-  return where_positive(-div, minimum(Real(1.0), div * div / d2), Real(0.0));
+  // squares of what is nearly at rest may be 0
+  return where_positive(minimum(-div, d2), minimum(Real(1.0), div * div / d2), Real(0.0));
 }
 
 // how much of the motion around a particle is not resolved: of the mean squares of the

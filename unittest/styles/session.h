@@ -280,6 +280,14 @@ inline std::string frame_under_test()
   return frame ? frame : "eulerian";
 }
 
+// and more words for pair_style, for tests that hold whatever the precision
+
+inline std::string options_under_test()
+{
+  const char *options = std::getenv("SPHSOLID_TEST_OPTIONS");
+  return options ? options : "";
+}
+
 /* ----------------------------------------------------------------------
    bodies.  The iron is that of potentials/metals.sphsolid
 ------------------------------------------------------------------------- */
@@ -333,8 +341,8 @@ struct Block {
 
   std::string interaction() const
   {
-    return "pair_style sph/solid " + num(h) + " frame " + frame + " " + options +
-        "\npair_coeff * * " + material + NEIGHBOR;
+    return "pair_style sph/solid " + num(h) + " frame " + frame + " " + options + " " +
+        options_under_test() + "\npair_coeff * * " + material + NEIGHBOR;
   }
 
   std::string script() const { return particles() + interaction() + motion + fixes; }
