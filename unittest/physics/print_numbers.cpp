@@ -10,9 +10,10 @@
 
 using namespace SPHSolid;
 
-static void print_cloud(int dim, Frame frame, Viscosity viscosity)
+static void print_cloud(int dim, Frame frame, Viscosity viscosity, bool mixed)
 {
   Cloud c = random_cloud(dim);
+  c.opt.mixed = mixed;
   c.opt.frame = frame;
   c.opt.viscosity = viscosity;
   c.opt.hourglass = frame == Frame::LAGRANGIAN ? 0.03 : 0.0;
@@ -22,18 +23,20 @@ static void print_cloud(int dim, Frame frame, Viscosity viscosity)
   c.evaluate(0.1);
   const std::vector<double> heat = c.heat(c.v);
   for (int i = 0; i < c.size(); i++)
-    std::printf("%d %d %d %d: %a %a %a %a %a\n", dim, static_cast<int>(frame),
+    std::printf("%d %d %d %d %d: %a %a %a %a %a\n", mixed ? 1 : 0, dim, static_cast<int>(frame),
                 static_cast<int>(viscosity), i, c.f(i)[0], c.f(i)[1], c.f(i)[2], heat[i],
                 c.S[i][3]);
 }
 
 int main()
 {
-  for (int dim : {2, 3})
-    for (Viscosity v : {Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::CORRECT}) {
-      print_cloud(dim, Frame::EULERIAN, v);
-      print_cloud(dim, Frame::LAGRANGIAN, v);
+  for (bool mixed : {false, true})
+    for (int dim : {2, 3}) {
+      for (Viscosity v : {Viscosity::NONE, Viscosity::MONAGHAN, Viscosity::CORRECT}) {
+        print_cloud(dim, Frame::EULERIAN, v, mixed);
+        print_cloud(dim, Frame::LAGRANGIAN, v, mixed);
+      }
+      print_cloud(dim, Frame::LAGRANGIAN, Viscosity::LIMITED, mixed);
     }
-  for (int dim : {2, 3}) print_cloud(dim, Frame::LAGRANGIAN, Viscosity::LIMITED);
   return 0;
 }

@@ -16,62 +16,7 @@ using namespace SPHSolid;
 
 namespace {
 
-// everything that an evaluation gives particles
-
-struct Outcome {
-  std::vector<Vector3d> f;
-  std::vector<double> heat, rho, stress, virial;
-  double step;
-};
-
-Outcome outcome(Cloud c, bool mixed)
-{
-  c.opt.mixed = mixed;
-  Outcome out;
-  EXPECT_EQ(c.evaluate(0.1), -1);
-  out.f = forces(c);
-  out.step = c.sweeps->time_step_limit(c.particles(), c.neighbors());
-  out.virial.assign(6, 0.0);
-  c.sweeps->virial(c.particles(), c.neighbors(), out.virial.data());
-  out.heat = c.heat(c.v);
-  out.rho = c.rho;
-  for (const auto &S : c.S) out.stress.insert(out.stress.end(), S.begin(), S.end());
-  return out;
-}
-
-double largest_difference(const std::vector<double> &a, const std::vector<double> &b)
-{
-  std::vector<double> difference(a.size());
-  for (std::size_t i = 0; i < a.size(); i++) difference[i] = a[i] - b[i];
-  return largest(difference);
-}
-
-// some tens of pairs, each rounded some times, at random: less than 20 of the largest roundings
-constexpr double ROUNDED = 20.0 * SINGLE;
-
-// not the same numbers, but for rounding
-
-void expect_rounded(const std::vector<double> &mixed, const std::vector<double> &exact,
-                    const std::string &what)
-{
-  ASSERT_EQ(mixed.size(), exact.size());
-  EXPECT_LT(largest_difference(mixed, exact), ROUNDED * largest(exact)) << what;
-}
-
-void expect_rounded(const Outcome &mixed, const Outcome &exact)
-{
-  EXPECT_LT(largest_difference(mixed.f, exact.f), ROUNDED * largest(exact.f));
-  EXPECT_GT(largest_difference(mixed.f, exact.f), 0.0);
-  expect_rounded(mixed.heat, exact.heat, "heat");
-  expect_rounded(mixed.rho, exact.rho, "density");
-  expect_rounded(mixed.stress, exact.stress, "stress");
-  expect_rounded(mixed.virial, exact.virial, "virial");
-  EXPECT_NEAR(mixed.step, exact.step, ROUNDED * exact.step);
-}
-
-/* ----------------------------------------------------------------------
-   every option
-------------------------------------------------------------------------- */
+void nothing(Cloud &) {}
 
 struct Scene {
   std::string name;
@@ -94,6 +39,66 @@ Cloud of_scene(const Scene &scene, int seed = 1)
   scene.change(c);
   return c;
 }
+
+// everything that an evaluation gives particles
+
+struct Outcome {
+  std::vector<Vector3d> f;
+  std::vector<double> heat, rho, stress, virial;
+  double step;
+};
+
+Outcome outcome(const Scene &scene, bool mixed,
+                const std::function<void(Cloud &)> &change = nothing)
+{
+  Cloud c = of_scene(scene);
+  change(c);
+  c.opt.mixed = mixed;
+  Outcome out;
+  EXPECT_EQ(c.evaluate(0.1), -1);
+  out.f = forces(c);
+  out.step = c.sweeps->time_step_limit(c.particles(), c.neighbors());
+  out.virial.assign(6, 0.0);
+  c.sweeps->virial(c.particles(), c.neighbors(), out.virial.data());
+  out.heat = c.heat(c.v);
+  out.rho = c.rho;
+  for (const auto &S : c.S) out.stress.insert(out.stress.end(), S.begin(), S.end());
+  return out;
+}
+
+double largest_change(const std::vector<double> &a, const std::vector<double> &b)
+{
+  std::vector<double> change(a.size());
+  for (std::size_t i = 0; i < a.size(); i++) change[i] = a[i] - b[i];
+  return largest(change);
+}
+
+// some tens of pairs, each rounded some times, at random: less than 20 of the largest roundings
+constexpr double ROUNDED = 20.0 * SINGLE;
+
+// not the same numbers, but for rounding
+
+void expect_rounded(const std::vector<double> &mixed, const std::vector<double> &exact,
+                    const std::string &what)
+{
+  ASSERT_EQ(mixed.size(), exact.size());
+  EXPECT_LT(largest_change(mixed, exact), ROUNDED * largest(exact)) << what;
+}
+
+void expect_rounded(const Outcome &mixed, const Outcome &exact)
+{
+  EXPECT_LT(largest_difference(mixed.f, exact.f), ROUNDED * largest(exact.f));
+  EXPECT_GT(largest_difference(mixed.f, exact.f), 0.0);
+  expect_rounded(mixed.heat, exact.heat, "heat");
+  expect_rounded(mixed.rho, exact.rho, "density");
+  expect_rounded(mixed.stress, exact.stress, "stress");
+  expect_rounded(mixed.virial, exact.virial, "virial");
+  EXPECT_NEAR(mixed.step, exact.step, ROUNDED * exact.step);
+}
+
+/* ----------------------------------------------------------------------
+   every option
+------------------------------------------------------------------------- */
 
 std::vector<Scene> all_scenes()
 {
@@ -145,8 +150,7 @@ class Mixed : public testing::TestWithParam<Scene> {};
 
 TEST_P(Mixed, IsDoubleButForRounding)
 {
-  const Cloud c = of_scene(GetParam());
-  expect_rounded(outcome(c, true), outcome(c, false));
+  expect_rounded(outcome(GetParam(), true), outcome(GetParam(), false));
 }
 
 // momentum and energy: each pair's force is the same from both sides, sums of them are rounded
@@ -157,20 +161,21 @@ TEST_P(Mixed, ConservesButForRounding)
   c.opt.mixed = true;
   c.evaluate(0.1);
   const bool leaks = c.opt.weights == Weights::SHEPARD || !c.planes.empty();
-  if (!leaks) EXPECT_LT(net_force(c), SINGLE);
+  if (!leaks) EXPECT_LT(net_force(c), 2.0 * SINGLE);
   if (c.opt.heating != Heating::PRINTED)
-    EXPECT_LT(energy_error(c, random_displacement(c, 5)), SINGLE);
+    EXPECT_LT(energy_error(c, random_displacement(c, 5)), 2.0 * SINGLE);
 }
 
 // with threads, too, the same to the bit
 
 TEST_P(Mixed, ThreadsChangeNothing)
 {
-  Cloud c = of_scene(GetParam());
-  c.nthreads = 1;
-  const Outcome one = outcome(c, true);
-  c.nthreads = 4;
-  const Outcome four = outcome(c, true);
+  auto with = [](int n) {
+    return outcome(Mixed::GetParam(), true, [n](Cloud &c) {
+      c.nthreads = n;
+    });
+  };
+  const Outcome one = with(1), four = with(4);
   EXPECT_EQ(one.f, four.f);
   EXPECT_EQ(one.heat, four.heat);
   EXPECT_EQ(one.stress, four.stress);
@@ -204,8 +209,9 @@ TEST(MixedRounding, HasNoDirection)
   }
 }
 
-// of a lattice under uniform pressure nothing is left inside: what is rounded is the same in all directions.
-// (Of V0_j g_ij summed up in single precision there would be something, the same for all particles)
+// inside of a lattice under uniform pressure, where all particles are rounded in the same direction, less than a fifth
+// of the rounding of a force at its surface is left of each.  (It is a tenth; more than a fifth in three dimensions if V0_j g_ij were
+// summed up in single precision)
 
 TEST(MixedRounding, LeavesNoForceInALattice)
 {
@@ -218,10 +224,12 @@ TEST(MixedRounding, LeavesNoForceInALattice)
     c.refer();
     for (double &rho : c.rho) rho *= 1.1;
     c.evaluate();
-    Vector3d net = Vector3d::Zero();
-    for (int i = 0; i < c.size(); i++) net += c.f(i);
-    EXPECT_LT(net.norm(), 0.1 * SINGLE * largest(forces(c)));
-    EXPECT_LT(c.f(middle(c)).norm(), SINGLE * largest(forces(c)));
+    Vector3d inner = Vector3d::Zero();
+    for (int i = 0; i < c.size(); i++) {
+      const Vector3d apart = c.x[i] - c.x[middle(c)];
+      if (apart.cwiseAbs().maxCoeff() < 2.5) inner += c.f(i);
+    }
+    EXPECT_LT(inner.norm(), 0.2 * SINGLE * largest(forces(c)) * std::pow(5, dim));
   }
 }
 
@@ -236,13 +244,14 @@ TEST_P(MixedPlace, DoesNotMatter)
 {
   for (const int dim : {2, 3})
     for (const Frame frame : {Frame::EULERIAN, Frame::LAGRANGIAN}) {
-      Cloud c = of_scene({"", dim, frame, Viscosity::CORRECT});
-      const Outcome here = outcome(c, false);
-      const double far = GetParam() * c.opt.h;
-      const Vector3d shift(far, -far, dim == 3 ? 0.5 * far : 0.0);
-      for (Vector3d &x : c.x) x += shift;
-      for (Vector3d &x : c.xref) x -= shift;
-      const Outcome there = outcome(c, true);
+      const Scene scene = {"", dim, frame, Viscosity::CORRECT};
+      const Outcome here = outcome(scene, false);
+      const double far = GetParam() * 1.3;
+      const Outcome there = outcome(scene, true, [&](Cloud &c) {
+        const Vector3d shift(far, -far, dim == 3 ? 0.5 * far : 0.0);
+        for (Vector3d &x : c.x) x += shift;
+        for (Vector3d &x : c.xref) x -= shift;
+      });
       EXPECT_LT(largest_difference(there.f, here.f), ROUNDED * largest(here.f)) << far;
       expect_rounded(there.heat, here.heat, "heat");
     }
@@ -262,7 +271,7 @@ TEST(MixedSpeed, StrainsByItsRounding)
     c.opt.mixed = true;
     const std::vector<double> before = c.rho;
     c.evaluate(0.1);
-    EXPECT_LT(largest_difference(c.rho, before), 0.1 * 1000.0 * SINGLE);
+    EXPECT_LT(largest_change(c.rho, before), 0.1 * 1000.0 * SINGLE);
   }
 }
 
@@ -328,12 +337,9 @@ TEST(MixedOverload, PartnersTooFarApart)
     const int last = c.size() - 1;
     c.x[last] += Vector3d(300.0 * c.opt.h, 0, 0);
     c.evaluate();
-    const Overload end = c.sweeps->find_overload();
-    if (!mixed) {
-      EXPECT_NE(end.kind, Overload::APART);
-      continue;
-    }
-    EXPECT_EQ(end.kind, Overload::APART);
+    const Overload end = c.sweeps->find_torn();
+    EXPECT_EQ(end.kind, mixed ? Overload::APART : Overload::NONE);
+    if (!mixed) continue;
     EXPECT_NEAR(end.value, 300.0 * c.opt.h, 2.0 * c.opt.h);
   }
 }
@@ -346,6 +352,7 @@ TEST(MixedOverload, IsThatOfDouble)
     deform(c, large(dim));
     c.evaluate();
     EXPECT_EQ(c.sweeps->find_overload().kind, Overload::NONE);
+    EXPECT_EQ(c.sweeps->find_torn().kind, Overload::NONE);
     deform(c, turned_stretch(0.005, 2.0, 1.0));
     c.evaluate();
     const Overload end = c.sweeps->find_overload();

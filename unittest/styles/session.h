@@ -287,6 +287,10 @@ inline std::string options_under_test()
   const char *options = std::getenv("SPHSOLID_TEST_OPTIONS");
   return options ? options : "";
 }
+inline bool mixed_under_test()
+{
+  return options_under_test().find("precision mixed") != std::string::npos;
+}
 
 /* ----------------------------------------------------------------------
    bodies.  The iron is that of potentials/metals.sphsolid

@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"distortion_error", "distortion error", ""},
         Case{"distortion_warn", "distortion warn", ""},
         Case{"distortion_ignore", "distortion ignore", ""}, Case{"energy_yes", "energy yes", ""},
-        Case{"hourglass_zero", "hourglass 0", ""},
+        Case{"precision_double", "precision double", ""},
+        Case{"precision_mixed", "precision mixed", ""}, Case{"hourglass_zero", "hourglass 0", ""},
         Case{"any_order", "hourglass 0 frame eulerian tensile none viscosity none", ""}),
     name_of);
 
@@ -98,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
              "a1 of viscosity monaghan is '1e400': expected a number >= 0"},
         Case{"keyword", "1 viscous none",
              "unknown keyword 'viscous': expected viscosity, gradient, tensile, frame, hourglass, "
-             "distortion or energy"},
+             "distortion, energy or precision"},
         Case{"viscosity_missing", "1 viscosity",
              "keyword viscosity needs none, monaghan, correct, limited, balsara or front"},
         Case{"viscosity_word", "1 viscosity some",
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
              "unknown viscosity correct heating 'none': expected compatible or printed"},
         Case{"correct_keyword", "1 viscosity correct beta 1",
              "unknown keyword 'beta': expected viscosity, gradient, tensile, frame, hourglass, "
-             "distortion or energy"},
+             "distortion, energy or precision"},
         Case{"gradient_missing", "1 gradient", "keyword gradient needs plain or corrected"},
         Case{"gradient_word", "1 gradient exact",
              "unknown gradient 'exact': expected plain or corrected"},
@@ -153,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"front_alpha", "1 viscosity front alpha 1", "keyword viscosity front alpha needs a2"},
         Case{"front_keyword", "1 viscosity front 1",
              "unknown keyword '1': expected viscosity, gradient, tensile, frame, hourglass, "
-             "distortion or energy"},
+             "distortion, energy or precision"},
         Case{"safe_printed", "1 viscosity correct weights safe heating printed",
              "heating printed needs weights conservative or shepard: weights safe heats "
              "compatibly"},

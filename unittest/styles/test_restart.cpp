@@ -271,7 +271,7 @@ TEST(Restart, OfAnotherVersionIsRefused)
     content[at - of]++;
     Session s;
     EXPECT_THAT(s.error("read_restart " + write_file("other_version.restart", content)),
-                HasSubstr("Pair style sph/solid: the settings in the restart file have layout 3"));
+                HasSubstr("Pair style sph/solid: the settings in the restart file have layout 4"));
   }
 }
 
