@@ -36,13 +36,17 @@ def stock(key, title, style, h, main=False, **variables):
 
 VARIANTS = [
     ours("L-correct", "lagrangian", main=True, large=True, shared=True),
+    ours("L-correct-mixed", "lagrangian", title="lagrangian, correct, precision mixed", main=True, large=True, shared=True, options="precision mixed"),
     ours("L-none", "lagrangian", "none"),
     ours("L-monaghan", "lagrangian", "monaghan 1 1"),
+    ours("L-monaghan-mixed", "lagrangian", title="lagrangian, monaghan 1 1, precision mixed", viscosity="monaghan 1 1", options="precision mixed"),
     ours("L-limited", "lagrangian", "limited 1 1"),
     ours("L-correct-h1.3", "lagrangian", title="lagrangian, correct, h 1.3", h=1.3),
     ours("E-correct", "eulerian", main=True, large=True, shared=True),
+    ours("E-correct-mixed", "eulerian", title="eulerian, correct, precision mixed", main=True, large=True, shared=True, options="precision mixed"),
     ours("E-none", "eulerian", "none"),
     ours("E-monaghan", "eulerian", "monaghan 1 1"),
+    ours("E-monaghan-mixed", "eulerian", title="eulerian, monaghan 1 1, precision mixed", viscosity="monaghan 1 1", options="precision mixed"),
     ours("E-correct-plain", "eulerian", title="eulerian, correct, plain", gradient="plain"),
     ours("E-monaghan-plain", "eulerian", "monaghan 1 1", title="eulerian, monaghan 1 1, plain", gradient="plain"),
     stock("ulsph-h1.3", "smd/ulsph", "ulsph", 1.3, main=True),
@@ -79,6 +83,7 @@ def features(frame):
     yield "default", "viscosity correct, all else at its default", full
     yield "cold", "the same without energy equation (energy no)", {**full, "options": "energy no",
                                                                    "material": "eos mie-gruneisen 3600 1.8 0"}
+    yield "mixed", "viscosity correct, all else at its default, precision mixed", {**full, "options": "precision mixed"}
     yield "default-monaghan", "viscosity monaghan 1 1, all else at its default", {**full, "viscosity": "monaghan 1 1"}
 
 

@@ -26,7 +26,7 @@
 namespace {
 
 // a gathered slot is so many times the work of another
-constexpr int PRICE = 4;
+template <int LANES> constexpr int PRICE = LANES > 8 ? 6 : 4;
 
 // where slots are so many times the work of slots without a place left empty there may be a better order
 // of particles, which is not looked for again before work has grown as much, and has to be better
@@ -200,7 +200,7 @@ template <int D, class Precision> struct EulerianSweeps<D, Precision>::Arranging
   Bits &with(int columns_apart) { return together[columns_apart + of.end_of_columns]; }
   bool is_rare(int columns_apart)
   {
-    return PRICE * count_lanes(with(columns_apart), LANES) <= LANES ||
+    return PRICE<LANES> * count_lanes(with(columns_apart), LANES) <= LANES ||
         !is_within_reach(columns_apart);
   }
 
@@ -338,7 +338,7 @@ void EulerianSweeps<D, Precision>::arrange_candidates(const Particles &p, const 
 template <int D, class Precision> double EulerianSweeps<D, Precision>::work() const
 {
   const double slots = static_cast<double>(candidates.lanes.size() * LANES) +
-      static_cast<double>(candidates.gathered.size()) * (PRICE - 1);
+      static_cast<double>(candidates.gathered.size()) * (PRICE<LANES> - 1);
   return candidates.count ? slots / static_cast<double>(candidates.count) : 1.0;
 }
 

@@ -46,7 +46,7 @@ constexpr double WORTH_ANOTHER_ORDER = 1.25;
 constexpr double MUCH_WORSE = 1.1;
 
 // a gathered slot is so many times the work of another, without rows of what columns have and with them
-constexpr int PRICE[2] = {4, 2};
+template <int LANES> constexpr int PRICE[2] = {LANES > 8 ? 8 : 4, 2};
 
 /* ----------------------------------------------------------------------
    columns: own particles, ghosts, images.  In the order of IDs a lattice is row by row, turned
@@ -263,7 +263,7 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
     for (int m = 0; m < LANES; m++)
       if (m < of.particles_of(block))
         of.slots.count[block * LANES + m] = static_cast<int>(partners[m].size());
-    arrange(partners, block * LANES, PRICE[of.with_rows],
+    arrange(partners, block * LANES, PRICE<LANES>[of.with_rows],
             [&](bool side_by_side, int, const int *which) {
               nslots++;
               if (!side_by_side) gathered++;
@@ -285,7 +285,7 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
       nsum[m] = 0.0;
     }
     collect(block);
-    arrange(partners, block * LANES, PRICE[of.with_rows],
+    arrange(partners, block * LANES, PRICE<LANES>[of.with_rows],
             [&](bool side_by_side, int offset, const int *which) {
               slots.further[s] = side_by_side
                   ? of.columns.from(block * LANES, block * LANES + offset)
