@@ -78,8 +78,8 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
   // what lies in the second-level cache need not be asked for ahead: 4 % of a step of a Taylor rod
   static constexpr double IN_CACHE = 512.0 * 1024.0;    // [bytes]
   bool asks_ahead = false;
-  static constexpr int AHEAD =
-      128 / sizeof(Number);      // columns from what is read to what is asked for
+  // columns from what is read to what is asked for, two cache lines
+  static constexpr int AHEAD = 128 / sizeof(Number);
   bool with_rows = false;        // for bodies that are no lattice
   std::vector<int> own;          // own particles in the order of columns
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none

@@ -59,7 +59,7 @@ template <class Precision> class ColumnsOf {
   // n rounded up to whole blocks
   static int whole_blocks(int n) { return (n + LANES - 1) / LANES * LANES; }
 
-  // component 0 of a column, component c lies c NEXT doubles behind; from -LANES on to the one
+  // component 0 of a column, component c lies c NEXT numbers behind; from -LANES on to the one
   // behind the last, with LANES - 1 further columns behind it
   Number *at(int column) { return data.data() + place(column); }
   const Number *at(int column) const { return data.data() + place(column); }

@@ -21,7 +21,7 @@
      sph_solid_eulerian_rows.h          what neighbors read: messages, mirror images
      sph_solid_eulerian_viscous.h       switch of a viscosity, acceleration correction
      sph_solid_eulerian_heat.h          heat, virial
-     sph_solid_sweeps_eulerian.cpp      gradient and force
+     sph_solid_eulerian_sweeps.h        gradient and force
 
    Every lane has a particle of its own, and candidates come in slots, as the partners of the
    Lagrangian frame do.  In every step the slots are found in which there is a pair: bodies that

@@ -381,10 +381,10 @@ template <int D, class Precision> double EulerianSweeps<D, Precision>::memory_us
       image_first.capacity() + image_j.capacity() + candidates.further.capacity() + near +
       all * (LANES + 1);
   return columns.memory_usage() +
-      static_cast<double>(ints * sizeof(int) + candidates.lanes.capacity() +
-                          candidates.mirrored.capacity() + all + used(pairs.near_kernel, near) +
+      static_cast<double>(ints * sizeof(int) + (candidates.lanes.capacity() + all) * sizeof(Bits) +
+                          candidates.mirrored.capacity() + used(pairs.near_kernel, near) +
                           used(pairs.near_pull, near) + used(pairs.pull, all) +
-                          used(pairs.crowd, all) + mu_max.capacity() * sizeof(double));
+                          used(pairs.crowd, all) + mu_max.capacity() * sizeof(Number));
 }
 
 }    // namespace

@@ -22,7 +22,7 @@
      sph_solid_lagrangian_viscous.h     switch of a viscosity, acceleration correction
      sph_solid_lagrangian_heat.h        heat, virial
      sph_solid_lagrangian_elastic.h     small vibrations about the reference
-     sph_solid_sweeps_lagrangian.cpp    gradient and force
+     sph_solid_lagrangian_sweeps.h      gradient and force
 
    Every lane has a particle of its own: a block has as many particles as there are lanes,
    side by side in columns (sph_solid_columns.h), and their pairs come in slots
@@ -53,7 +53,7 @@
 
 #include <mutex>
 
-// of one source file, sph_solid_sweeps_lagrangian.cpp.  That the compiler knows this is worth 5 %
+// of one source file, sph_solid_sweeps_lagrangian*.cpp.  That the compiler knows this is worth 5 %
 // of a step in two dimensions: it inlines what is called once
 
 namespace {

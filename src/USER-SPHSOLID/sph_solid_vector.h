@@ -12,8 +12,8 @@
 ------------------------------------------------------------------------- */
 
 /* ----------------------------------------------------------------------
-   Packs of four or eight doubles (sph_solid_native.h): one number each of LANES pairs or
-   particles.  Here is what is done with every lane by itself, so that a formula takes
+   Packs of four or eight doubles (sph_solid_native.h), or of twice as many numbers in single
+   precision: one number each of LANES, or WIDE, pairs or particles.  Here is what is done with every lane by itself, so that a formula takes
    packs and numbers alike; sph_solid_blocks.h has the rest.
 ------------------------------------------------------------------------- */
 
