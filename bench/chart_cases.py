@@ -72,6 +72,8 @@ STOCK_ROD = [replace(methods.BY_KEY["ulsph"], key=f"ulsph-{q1}", title=f"smd/uls
 STOCK_ROD.append(replace(methods.BY_KEY["tlsph"], package="ulsph",
                          variables={"style": "tlsph", "viscosity": 0.06, "support": 2.0}))
 HALF = replace(DEFAULT, key="L-correct-half", title="correct, half a rod", variables={**DEFAULT.variables, "part": "half"})
+MIXED = [replace(methods.BY_KEY[key], key=f"{key}-mixed", title="correct, precision mixed",
+                 variables={**methods.BY_KEY[key].variables, "options": "precision mixed"}) for key in (methods.DEFAULT, "E-correct")]
 MIRRORED = replace(DEFAULT, key="L-correct-symmetry", title="correct, symmetry wall", variables={**DEFAULT.variables, "wall": "symmetry"})
 
 
@@ -87,8 +89,8 @@ def rod(method, refine):
 
 def rod_runs():
     for refine in REFINES:
-        for method in OURS + [HALF, MIRRORED] + STOCK_ROD:
-            if refine < 2 or method.key in FEW + ("ulsph-1.0", "tlsph", "L-correct-half", "L-correct-symmetry", "L-limited05"):
+        for method in OURS + [HALF, MIRRORED] + MIXED + STOCK_ROD:
+            if refine < 2 or method.key in FEW + ("ulsph-1.0", "tlsph", "L-correct-half", "L-correct-symmetry", "L-limited05", "L-correct-mixed"):
                 yield rod(method, refine)
 
 

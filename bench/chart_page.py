@@ -40,6 +40,7 @@ def describe(lmp):
 # ---- pictures ------------------------------------------------------------------------------------------------
 
 SPECIAL = {"L-correct-half": dict(color="C2", linestyle="-", marker="^"),
+           "L-correct-mixed": dict(color="C1", linestyle="-", marker="v"), "E-correct-mixed": dict(color="C1", linestyle="--", marker="v"),
            "L-correct-symmetry": dict(color="C3", linestyle="-", marker="D"), "L-correct-channel": dict(color="C3", linestyle="-", marker="D"),
            "ulsph-1.0": dict(color="C4", linestyle="-."), "ulsph-0.3": dict(color="C1", linestyle="-."), "tlsph": dict(color="C5", linestyle="-.")}
 
