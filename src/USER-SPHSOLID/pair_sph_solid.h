@@ -164,6 +164,7 @@ class PairSPHSolid : public Pair {
   void require_crowding() const;
   void require_single_numbers() const;
   void require_near_origin() const;
+  double least_smoothing_length() const;
   void fill_unset_state();
   void require_state();
   void require_plausible_state();

@@ -242,11 +242,11 @@ void PairSPHSolid::require_crowding() const
 
 void PairSPHSolid::require_single_numbers() const
 {
-  double least = HUGE_VAL, most = 0.0, reach = 0.0;
+  const double least = least_smoothing_length();
+  double most = 0.0, reach = 0.0;
   for (int i = 1; i <= atom->ntypes; i++) {
     if (!setflag[i][i]) continue;
     reach = std::max({reach, 2.0 * types[i].h, options->hbar * types[i].spacing});
-    least = std::min(least, types[i].h);
     most = std::max(most, types[i].h);
     const double volume = std::pow(types[i].spacing, domain->dimension),
                  mass = volume * types[i].material.rho0;
@@ -279,16 +279,24 @@ void PairSPHSolid::require_single_numbers() const
 
 void PairSPHSolid::require_near_origin() const
 {
-  double furthest = MIXED_FURTHEST * largest_smoothing_length();
-  for (int i = 1; i <= atom->ntypes; i++)
-    if (setflag[i][i]) furthest = std::min(furthest, MIXED_FURTHEST * types[i].h);
+  const double furthest = MIXED_FURTHEST * least_smoothing_length();
   for (int k = 0; k < domain->dimension; k++)
-    for (const double bound : {domain->boxlo[k], domain->boxhi[k]})
+    for (const double bound : {domain->boxlo[k], domain->boxhi[k]}) {
+      const char axis = "xyz"[k];
       if (!(std::fabs(bound) < furthest))
         error->all(FLERR, Error::NOLASTLINE,
                    "Pair style sph/solid, precision mixed: the box reaches to {:.4g} along {} in "
                    "step {}: expected less than {:.4g}, {} of the least smoothing length",
-                   bound, "xyz"[k], update -> ntimestep, furthest, MIXED_FURTHEST);
+                   bound, axis, update->ntimestep, furthest, MIXED_FURTHEST);
+    }
+}
+
+double PairSPHSolid::least_smoothing_length() const
+{
+  double least = HUGE_VAL;
+  for (int i = 1; i <= atom->ntypes; i++)
+    if (setflag[i][i]) least = std::min(least, types[i].h);
+  return least;
 }
 
 /* ----------------------------------------------------------------------

@@ -142,9 +142,9 @@ inline double least(Pack a)
   return least;
 }
 
-inline bool all_positive(Pack a)
+template <class Pack> inline bool all_positive(Pack a)
 {
-  return larger_lanes(a, Pack(0.0)) == first_lanes(LANES);
+  return larger_lanes(a, Pack(0.0)) == first_lanes(lanes_of<Pack>);
 }
 
 // of both halves
@@ -156,10 +156,6 @@ inline double sum(WidePack a)
 inline double least(WidePack a)
 {
   return minimum(least(part_of<0>(a)), least(part_of<1>(a)));
-}
-inline bool all_positive(WidePack a)
-{
-  return larger_lanes(a, WidePack(0.0)) == first_lanes(WIDE);
 }
 
 // four rows become four columns

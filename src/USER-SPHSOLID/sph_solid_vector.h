@@ -48,6 +48,24 @@ template <class N, class Number> class PackOf {
   PackOf &operator*=(const PackOf &b) { return *this = *this * b; }
   PackOf &operator/=(const PackOf &b) { return *this = *this / b; }
 
+  // of every pack, also where an argument is a number; the same of numbers alone is below
+  friend PackOf multiply_add(PackOf a, PackOf b, PackOf c)
+  {
+    return PackOf(native_multiply_add(a.v, b.v, c.v));
+  }
+  friend PackOf where_positive(PackOf condition, PackOf a, PackOf b)
+  {
+    return PackOf(native_where_positive(condition.v, a.v, b.v));
+  }
+  friend unsigned larger_lanes(PackOf a, PackOf b) { return native_larger_lanes(a.v, b.v); }
+  friend PackOf where_lanes(unsigned lanes, PackOf a, PackOf b)
+  {
+    return PackOf(native_where_lanes(lanes, a.v, b.v));
+  }
+  friend PackOf minimum(PackOf a, PackOf b) { return PackOf(native_minimum(a.v, b.v)); }
+  friend PackOf maximum(PackOf a, PackOf b) { return PackOf(native_maximum(a.v, b.v)); }
+  friend PackOf square_root(PackOf a) { return PackOf(native_square_root(a.v)); }
+
  private:
   N v;
 };
@@ -68,16 +86,6 @@ constexpr int lanes_of = static_cast<int>(sizeof(P) / sizeof(std::declval<P>()[0
 // a b + c, rounded once where the instruction set can.  Only where it is asked for: the
 // compiler, left free to choose, takes it in a vector loop and not in what is left over, and
 // numbers would depend on where in a row a pair stands
-
-inline Pack multiply_add(Pack a, Pack b, Pack c)
-{
-  return Pack(native_multiply_add(a.native(), b.native(), c.native()));
-}
-
-inline WidePack multiply_add(WidePack a, WidePack b, WidePack c)
-{
-  return WidePack(native_multiply_add(a.native(), b.native(), c.native()));
-}
 
 inline double multiply_add(double a, double b, double c)
 {
@@ -250,18 +258,6 @@ template <class P = Pack, class F> inline P pack_of(F value)
 
 // condition > 0 ? a : b; numbers and vectors of them
 
-inline Pack where_positive(Pack condition, Pack a, Pack b)
-{
-  return Pack(native_where_positive(condition.native(), a.native(), b.native()));
-}
-inline SinglePack where_positive(SinglePack condition, SinglePack a, SinglePack b)
-{
-  return SinglePack(native_where_positive(condition.native(), a.native(), b.native()));
-}
-inline WidePack where_positive(WidePack condition, WidePack a, WidePack b)
-{
-  return WidePack(native_where_positive(condition.native(), a.native(), b.native()));
-}
 inline double where_positive(double condition, double a, double b)
 {
   return condition > 0.0 ? a : b;
@@ -272,26 +268,6 @@ inline double where_positive(double condition, double a, double b)
 inline unsigned larger_lanes(double a, double b)
 {
   return a > b ? 1 : 0;
-}
-inline unsigned larger_lanes(Pack a, Pack b)
-{
-  return native_larger_lanes(a.native(), b.native());
-}
-inline unsigned larger_lanes(SinglePack a, SinglePack b)
-{
-  return native_larger_lanes(a.native(), b.native());
-}
-inline unsigned larger_lanes(WidePack a, WidePack b)
-{
-  return native_larger_lanes(a.native(), b.native());
-}
-inline Pack where_lanes(unsigned lanes, Pack a, Pack b)
-{
-  return Pack(native_where_lanes(lanes, a.native(), b.native()));
-}
-inline WidePack where_lanes(unsigned lanes, WidePack a, WidePack b)
-{
-  return WidePack(native_where_lanes(lanes, a.native(), b.native()));
 }
 
 // the first n of all lanes
@@ -318,42 +294,10 @@ inline double maximum(double a, double b)
 {
   return a > b ? a : b;
 }
-inline Pack minimum(Pack a, Pack b)
-{
-  return Pack(native_minimum(a.native(), b.native()));
-}
-inline Pack maximum(Pack a, Pack b)
-{
-  return Pack(native_maximum(a.native(), b.native()));
-}
-inline SinglePack maximum(SinglePack a, SinglePack b)
-{
-  return SinglePack(native_maximum(a.native(), b.native()));
-}
-inline WidePack minimum(WidePack a, WidePack b)
-{
-  return WidePack(native_minimum(a.native(), b.native()));
-}
-inline WidePack maximum(WidePack a, WidePack b)
-{
-  return WidePack(native_maximum(a.native(), b.native()));
-}
 
 inline double square_root(double a)
 {
   return std::sqrt(a);
-}
-inline Pack square_root(Pack a)
-{
-  return Pack(native_square_root(a.native()));
-}
-inline SinglePack square_root(SinglePack a)
-{
-  return SinglePack(native_square_root(a.native()));
-}
-inline WidePack square_root(WidePack a)
-{
-  return WidePack(native_square_root(a.native()));
 }
 
 }    // namespace SPHSolid

@@ -9,11 +9,11 @@ using namespace sphsolid_test;
 
 namespace {
 
-Block mixed(const std::string &frame, const std::string &options = "")
+Block mixed(const std::string &frame)
 {
   Block b;
   b.frame = frame;
-  b.options = options + " precision mixed";
+  b.options = "precision mixed";
   return b;
 }
 
@@ -94,7 +94,8 @@ TEST_P(MixedPrecision, FindsTheSameTimeStep)
 
 TEST_P(MixedPrecision, TakesOverAndGivesBack)
 {
-  Block b = mixed(GetParam(), "precision double");
+  Block b;
+  b.frame = GetParam();
   b.options = "precision double";
   Session s;
   s(b.script() + "run 50\n");
