@@ -320,7 +320,7 @@ void FixSPHSolid::initial_integrate(int)
   caught_up = own->swaps_energies = false;
   if (leading && pair->has_energy()) {
     if (heat_on_the_way && !heats_itself)
-      pair->leave_heat(0.25 * (dt_pending + update->dt), update->dt);
+      pair->leave_heat(0.25 * (dt_pending + update->dt));
     else
       add_heat();
   }

@@ -104,6 +104,7 @@ void PairSPHSolid::compute(int eflag, int vflag)
 {
   require_partners();
   ev_init(eflag, vflag);
+  sweeps->wants_virial = vflag_global != 0;
   if (vflag_atom || cvflag_atom)
     error->all(FLERR, Error::NOLASTLINE,
                "Pair style sph/solid has no per-atom virial: use compute sph/solid/atom sxx ...");

@@ -68,7 +68,7 @@ class PairSPHSolid : public Pair {
   // run says whether it can; leave_heat() before the kick leaves it to the next evaluation;
   // add_left_heat() after the drift adds what was left so, if there is any
   bool keep_heat(bool);
-  void leave_heat(double factor, double drift);
+  void leave_heat(double factor);
   void add_left_heat();
 
   // stop unless the last force evaluation belongs to the particles as they are;

@@ -72,7 +72,7 @@ void PairSPHSolid::pair_heat(double v_scale, double a_scale, double *heat)
   sweeps->displace(p, Kick{v_scale, a_scale, atom->mask, kicked});
   displacement_time = v_scale;
   forward(Message::DISPLACEMENT);
-  sweeps->heat(p, rows(), heat);
+  sweeps->heat(p, rows(), v_scale, heat);
 }
 
 bool PairSPHSolid::keep_heat(bool wanted)
@@ -81,14 +81,14 @@ bool PairSPHSolid::keep_heat(bool wanted)
   return sweeps->keeps_heat;
 }
 
-void PairSPHSolid::leave_heat(double factor, double drift)
+void PairSPHSolid::leave_heat(double factor)
 {
-  sweeps->due = {factor, drift};
+  sweeps->due = factor;
 }
 
 void PairSPHSolid::add_left_heat()
 {
-  if (!(sweeps->due.factor > 0.0)) return;
+  if (!(sweeps->due > 0.0)) return;
   comm->forward_comm();    // as if this were a step without new neighbors
   const Particles p = particles();
   sweeps->pack_kinematics(p, p.v);

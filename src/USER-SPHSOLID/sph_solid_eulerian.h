@@ -66,7 +66,7 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
   void find_switch(const Particles &, const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
   void correction(const Particles &, const NeighborRows &) override;
-  void heat(const Particles &, const NeighborRows &, double *) override;
+  void heat(const Particles &, const NeighborRows &, double time, double *) override;
   double time_step_limit(const Particles &, const NeighborRows &) const override;
   int neighbor_count(int i) const override;
   int uncorrected() const override { return nuncorrected; }

@@ -76,7 +76,7 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   void find_switch(const Particles &, const NeighborRows &) override;
   void force(const Particles &, const NeighborRows &) override;
   void correction(const Particles &, const NeighborRows &) override;
-  void heat(const Particles &, const NeighborRows &, double *) override;
+  void heat(const Particles &, const NeighborRows &, double time, double *) override;
   bool can_keep_heat() const override;
   void add_due_heat(const Particles &, const NeighborRows &) override;
   void elastic_stress(const Particles &) override;
@@ -88,6 +88,8 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   Overload find_overload() const override;
   Overload find_torn() const override;
   double memory_usage() const override;
+  void displace(const double *const *u) override;
+  void displace(const Particles &, const Kick &) override;
 
  private:
   using Base = ColumnSweeps<D, Precision>;
@@ -118,24 +120,44 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   int components() const { return at_rho + (this->unlike ? 1 : 0); }
   Sent sent() const override { return {T, LAST, at_da}; }
 
+  // components of a block: the viscous force that heats, before the correction the force that waits for it;
+  // the hourglass force; powers of stress and of pairs (sph_solid_lagrangian_heat.h)
+  class Accounts {
+   public:
+    int hourglass = 0, stress = 0, pairs = 0, size = 0;
+    static constexpr int VISCOUS = 0;
+    Number *at(int block, int component)
+    {
+      return &numbers[(block * std::size_t(size) + component) * LANES];
+    }
+    const Number *at(int block, int component) const
+    {
+      return &numbers[(block * std::size_t(size) + component) * LANES];
+    }
+    Numbers numbers;
+  };
+  void size_accounts();
+
   using Slots = SlotsOf<LANES>;
   Slots slots;
   // of own particles: B on and above the diagonal, sum V0_j g_ij
   Numbers B, gradient_sum;
-  Numbers uncorrected_force;    // of own: what the correction adds to p.f along with its own part
-  // of slots: the hourglass force on i is damping_unit V0_i V0_j/h0^(D+2) damp x_ij.  damp, the same
-  // from both sides and in any units, is rounded to single precision before it is a force, so that
-  // its heat is that of the force
-  SingleRows damp;
+  // of own: what one evaluation leaves for heat, side by side, so that sweeps follow one stream
+  Accounts accounts;
+  Numbers
+      heated_force;    // of own: viscous force that no correction touches, in scenes that have both
+  Numbers
+      power_then;    // of own: of forces on their velocities, before displacements take their place
+  bool velocities_known = false;
   const double damping_unit;    // [pressure] the largest modulus of all materials
-  Numbers pull;                 // of slots: viscous force on i = -V0_i pull x_ij, kept for heat
+  Numbers central_forces;    // of slots, for a virial: central forces on i are V0_i times this x_ij
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
   using NearWeights = SharedVectors<Number, LANES>;
   NearWeights near_weight;
   Numbers near_pull;
   std::vector<int> near_in_order;
-  Numbers mu_max, early;    // of own: largest approach rate; power of forces on their velocities
+  Numbers mu_max;    // of own: largest approach rate
   Totals early_totals;
   bool weights_known = false;
   int nuncorrected = 0;    // particles with partners and B = 1
@@ -212,11 +234,20 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   {
     return &B[block * std::size_t(SYMMETRIC) * LANES];
   }
-  Number *uncorrected_force_of(int block)
+  static std::size_t vector_at(int block) { return block * std::size_t(D) * LANES; }
+  static void store_vector(Number *to, const Pack *v)
   {
-    return &uncorrected_force[block * std::size_t(D) * LANES];
+    each_index<D>([&](auto a) {
+      store(to + a * LANES, v[a]);
+    });
   }
-  Number *gradient_sum_of(int block) { return &gradient_sum[block * std::size_t(D) * LANES]; }
+  // what the gradient sweep reads of a block's own
+  void ask_own_ahead(int block) const
+  {
+    prefetch(correction_of(block), SYMMETRIC * LANES);
+    prefetch(accounts.numbers.data() + accounts.size * std::size_t(block) * LANES,
+             accounts.size * LANES);
+  }
   Tensors load_correction(int block) const
   {
     Tensors t;
@@ -225,32 +256,10 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
       for (int b = a; b < D; b++, at += LANES) t(a, b) = t(b, a) = load(at);
     return t;
   }
-  // what the pairs of a block add up to; of the work of forces without factors of the particles
-  struct PairWork {
-    Pack viscous, corrected, hourglass;
-  };
   struct Sums {
     Tensors displacement, velocity;    // sum V0 (u_j-u_i)(x)g and sum V0 (v_j-v_i)(x)g
-    PairWork work;
   };
-  // NONE; what is due: of the last forces with these velocities; of displacements
-  enum class Work { NONE, DUE, WHOLE };
-  template <Work WORK> Sums accumulate(int block) const;
-  // what forces have kept of pairs for their work, null: nothing.  Where it lies is not read again
-  // for each slot, which a compiler would do for members
-  struct Kept {
-    const float *damping;
-    const Number *pulls;
-    Pack drift;
-  };
-  Kept kept() const
-  {
-    return {opt.hourglass > 0.0 ? damp.data() : nullptr, keeps_pairs() ? pull.data() : nullptr,
-            Pack(this->due.drift)};
-  }
-  template <Work WORK>
-  void add_work(const Kept &, int slot, const Number *i, const Number *j, const Parts &,
-                PairWork &) const;
+  Sums accumulate(int block) const;
   // what the nearest pairs of a block are multiplied by
   typename NearWeights::Run near_factors(int block) const
   {
@@ -258,17 +267,19 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
     if (safe()) return {near_in_order.data() + first, near_pull.data()};
     return near_weight.from(first);
   }
-  struct Power {
-    Pack stress, viscous, corrected, hourglass;
-    Pack sum() const { return stress + viscous + corrected + hourglass; }
-  };
-  Power power(int block, Pack mass, const Sums &) const;
-  void enter_block(int block, Pack mass, int n, const Power &, Totals &) const;
+  bool dissipates() const { return opt.hourglass > 0.0 || opt.viscosity != Viscosity::NONE; }
+  bool keeps_central() const { return opt.hourglass > 0.0 || keeps_pairs(); }
+  Pack power_of(const Number *force, int block) const;
+  Pack power_of_forces(int block, const Batch &, Pack mass, Totals &) const;
+  Pack power_of_stress(int block, const Tensors &displaced) const;
+  void save_power();
+  Pack uneven_heat(int block, Pack mass) const;
   void enter_due(const Totals &late);
   Tensors block_virial(const Particles &, int block, const Batch &) const override;
   static void repeat_last(Sums &, int n);
   template <bool LATE> int update(const Particles &, int block, const Batch &, double dt, Totals &);
-  void add_late_heat(const Particles &, int block, const Batch &, const Sums &, Totals &) const;
+  void add_late_heat(const Particles &, int block, const Batch &, const Tensors &velocity,
+                     Totals &) const;
 
   template <PairForm FORM, bool HOURGLASS> void force_blocks(const Particles &);
   template <PairForm FORM, bool HOURGLASS, bool UNLIKE> void force_each(const Particles &);

@@ -31,7 +31,7 @@ void LagrangianSweeps<D, Precision>::elastic_stress(const Particles &p)
   mirror_vectors(V);
   each_block([&](int block, const Batch &batch, Totals &) {
     const Tensors correction = load_correction(block);
-    const Tensors gradient = accumulate<Work::NONE>(block).velocity * correction;
+    const Tensors gradient = accumulate(block).velocity * correction;
     const Pack shear = Base::shear_moduli(p, batch);
     const Pack bulk = Base::of_types(p, batch, [this](int t) {
       return types[t].material.bulk_modulus();

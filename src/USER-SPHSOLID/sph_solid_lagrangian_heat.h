@@ -23,28 +23,72 @@
 namespace {
 
 /* ----------------------------------------------------------------------
-   what the forces of pairs give to i while particles move, up to factors of i: half
-   of each pair's of viscosity and hourglass damping
+   The heat of viscosity and hourglass damping is the work of pair forces f_ij on displacements.
+   Forces come from velocities v, and what is known of particle i is half the work of its pairs
+   on these, P_i = -1/2 sum f_ij.(v_i - v_j), and the sum of the forces, F_i.  For displacements u in a
+   time t it takes
+     t P_i - F_i.(u_i - t v_i),
+   which is linear in u and adds up to -sum F_i.u_i, the loss of kinetic energy.  So does
+   -1/2 sum f_ij.(u_i - u_j), from which it differs by what neighbors exchange,
+   1/4 sum f_ij.(w_i + w_j) with w = u - t v, in a step the change of velocity.  Nothing need be kept of
+   pairs but a number of either particle, 2 P_i + F_i.v_i.
 ------------------------------------------------------------------------- */
 
+// of a force on a block, on velocities or displacements in V
+
 template <int D, class Precision>
-template <typename LagrangianSweeps<D, Precision>::Work WORK>
-inline void LagrangianSweeps<D, Precision>::add_work(const Kept &kept, int s, const Number *i,
-                                                     const Number *j, const Parts &d,
-                                                     PairWork &work) const
+typename LagrangianSweeps<D, Precision>::Pack
+LagrangianSweeps<D, Precision>::power_of(const Number *force, int block) const
 {
-  const std::size_t k = s * std::size_t(LANES);
-  Pack along = 0.0;    // velocities along distances when the forces were found
-  for (int a = 0; a < D; a++) {
-    const Pack x = WORK == Work::DUE ? d.x[a] - kept.drift * d.v[a] : d.x[a];
-    along = multiply_add(d.v[a], x, along);
+  const Number *i = columns.at(block * LANES);
+  Pack power = 0.0;
+  for (int a = 0; a < D; a++)
+    power = multiply_add(load(force + a * LANES), component(i, V + a), power);
+  return power;
+}
+
+// -F_i.u_i of these forces
+
+template <int D, class Precision>
+typename LagrangianSweeps<D, Precision>::Pack
+LagrangianSweeps<D, Precision>::power_of_forces(int block, const Batch &batch, Pack mass,
+                                                Totals &totals) const
+{
+  Pack viscous = 0.0, corrected = 0.0, hourglass = 0.0;
+  if (opt.hourglass > 0.0) hourglass -= power_of(accounts.at(block, accounts.hourglass), block);
+  if (!needs_correction()) {
+    if (keeps_pairs()) viscous -= power_of(accounts.at(block, Accounts::VISCOUS), block);
+  } else {
+    if (keeps_pairs()) viscous -= power_of(&heated_force[vector_at(block)], block);
+    if (Base::heats_evenly()) corrected -= power_of(accounts.at(block, Accounts::VISCOUS), block);
   }
-  if (kept.damping)
-    work.hourglass = multiply_add(component(j, WEIGHT) * Precision::load(kept.damping + k), along,
-                                  work.hourglass);
-  if (kept.pulls)
-    work.viscous =
-        multiply_add(Base::heated_pull(i, j, LAST, load(kept.pulls + k)), along, work.viscous);
+  totals.viscous += Base::sum_of_first(viscous + corrected, batch.n);
+  totals.standard +=
+      Base::sum_of_first(viscous + standard_power(columns.at(block * LANES), mass), batch.n);
+  totals.hourglass += Base::sum_of_first(hourglass, batch.n);
+  return viscous + corrected + hourglass;
+}
+
+// of sum V0_j (u_j - u_i) (x) g; of each pair the half with sigma_i
+
+template <int D, class Precision>
+typename LagrangianSweeps<D, Precision>::Pack
+LagrangianSweeps<D, Precision>::power_of_stress(int block, const Tensors &displaced) const
+{
+  return own_volume(block) * displaced.cwiseProduct(tensor(columns.at(block * LANES), T)).sum();
+}
+
+// F_i.v_i, before displacements take the place of these velocities
+
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::save_power()
+{
+  if (!velocities_known || !opt.energy || !dissipates()) return;
+  velocities_known = false;
+  power_then.resize(end_of_own);
+  each_block([&](int block, const Batch &batch, Totals &) {
+    Totals nobody;
+    store(&power_then[block * LANES], -power_of_forces(block, batch, Pack(0.0), nobody));
+  });
 }
 
 /* ----------------------------------------------------------------------
@@ -61,41 +105,19 @@ template <int D, class Precision>
 void LagrangianSweeps<D, Precision>::add_due_heat(const Particles &p, const NeighborRows &)
 {
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
-    Sums sums = accumulate<Work::DUE>(block);
-    if (batch.n < LANES) repeat_last(sums, batch.n);
-    add_late_heat(p, block, batch, sums, t);
+    Tensors velocity = accumulate(block).velocity;
+    if (batch.n < LANES) Base::repeat_last(velocity, batch.n);
+    add_late_heat(p, block, batch, velocity, t);
   });
   enter_due(totals);
 }
 
 template <int D, class Precision> void LagrangianSweeps<D, Precision>::enter_due(const Totals &late)
 {
-  Base::enter(early_totals, this->due.factor);
-  Base::enter(late, this->due.factor);
+  Base::enter(early_totals, this->due);
+  Base::enter(late, this->due);
   early_totals = {};
-  this->due = {};
-}
-
-// the work of forces on the particles of a block; of the stress the half with sigma_i
-
-template <int D, class Precision>
-typename LagrangianSweeps<D, Precision>::Power
-LagrangianSweeps<D, Precision>::power(int block, Pack mass, const Sums &sums) const
-{
-  const Pack V0 = own_volume(block);
-  const Tensors sigma_C = tensor(columns.at(block * LANES), T);
-  return {V0 * sums.velocity.cwiseProduct(sigma_C).sum(), 0.5 * V0 * sums.work.viscous,
-          -0.25 * mass * sums.work.corrected, (-0.5 * damping_unit) * V0 * sums.work.hourglass};
-}
-
-template <int D, class Precision>
-void LagrangianSweeps<D, Precision>::enter_block(int block, Pack mass, int n, const Power &power,
-                                                 Totals &totals) const
-{
-  const Pack standard = standard_power(columns.at(block * LANES), mass);
-  totals.viscous += Base::sum_of_first(power.viscous + power.corrected, n);
-  totals.standard += Base::sum_of_first(power.viscous + standard, n);
-  totals.hourglass += Base::sum_of_first(power.hourglass, n);
+  this->due = 0.0;
 }
 
 // what the last evaluation's forces do to the particles of a block,
@@ -103,14 +125,14 @@ void LagrangianSweeps<D, Precision>::enter_block(int block, Pack mass, int n, co
 
 template <int D, class Precision>
 void LagrangianSweeps<D, Precision>::add_late_heat(const Particles &p, int block,
-                                                   const Batch &batch, const Sums &sums,
+                                                   const Batch &batch, const Tensors &velocity,
                                                    Totals &totals) const
 {
   const Pack mass = batch.load(p.mass);
-  const Power late = power(block, mass, sums);
-  enter_block(block, mass, batch.n, late, totals);
-  const Pack heat = load(&early[block * LANES]) + late.sum();
-  this->add_heat(p, batch, mass, this->due.factor * heat);
+  Pack heat = power_of_stress(block, velocity) + load(accounts.at(block, accounts.stress));
+  if (dissipates())
+    heat += power_of_forces(block, batch, mass, totals) + load(accounts.at(block, accounts.pairs));
+  this->add_heat(p, batch, mass, this->due * heat);
 }
 
 /* ----------------------------------------------------------------------
@@ -118,19 +140,43 @@ void LagrangianSweeps<D, Precision>::add_late_heat(const Particles &p, int block
 ------------------------------------------------------------------------- */
 
 template <int D, class Precision>
-void LagrangianSweeps<D, Precision>::heat(const Particles &p, const NeighborRows &, double *heat)
+void LagrangianSweeps<D, Precision>::heat(const Particles &p, const NeighborRows &, double time,
+                                          double *heat)
 {
   mirror_vectors(V);
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
-    const Sums sums = accumulate<Work::WHOLE>(block);
     const Pack mass = batch.load(p.mass);
-    const Power of_block = power(block, mass, sums);
-    enter_block(block, mass, batch.n, of_block, t);
-    this->give_heat(p, batch, mass, heat, of_block.sum());
+    Pack of_block = power_of_stress(block, accumulate(block).velocity);
+    if (dissipates()) {
+      const Pack pairs = load(accounts.at(block, accounts.pairs)),    // 2 P + F.v
+          then = load(&power_then[block * LANES]);
+      of_block += power_of_forces(block, batch, mass, t) + (0.5 * time) * (pairs + then);
+      if (needs_correction() && !Base::heats_evenly()) {
+        const Pack uneven = uneven_heat(block, mass);
+        t.viscous += Base::sum_of_first(uneven, batch.n);
+        of_block += uneven;
+      }
+    }
+    this->give_heat(p, batch, mass, heat, of_block);
   });
   if (heat) return;
   Base::enter(totals, 1.0);
   early_totals = {};    // of the same forces
+}
+
+// of the correction with weights or a heating that are not the same from both sides
+
+template <int D, class Precision>
+typename LagrangianSweeps<D, Precision>::Pack
+LagrangianSweeps<D, Precision>::uneven_heat(int block, Pack mass) const
+{
+  const auto near = near_factors(block);
+  const typename Base::template CorrectionHeat<false> heat(*this, columns.at(block * LANES), at_da);
+  Neighbors neighbors(*this, block, T, at_da);
+  Pack sum = 0.0;
+  for (int n = 0; n < slots.nearest(block); n++)
+    sum = multiply_add(load(near.of(n)), heat.of(neighbors(slots.first[block] + n)), sum);
+  return -0.25 * mass * sum;
 }
 
 /* ----------------------------------------------------------------------
@@ -155,11 +201,9 @@ LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block,
     const int n = s - slots.first[block];
     const Number *j = neighbors(s);
     const Parts d = own.from(j);
-    Pack reference[D], f[D], central = 0.0;
+    Pack reference[D], f[D];
+    const Pack central = keeps_central() ? load(&central_forces[k]) : Pack(0.0);
     own_reference.apart(j, REFERENCE, reference);
-    if (opt.hourglass > 0.0)
-      central += damping_unit * component(j, WEIGHT) * Precision::load(&damp[k]);
-    if (keeps_pairs()) central -= Base::whole_pull(i, j, LAST, load(&pull[k]));
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++)

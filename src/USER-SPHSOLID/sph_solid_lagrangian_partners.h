@@ -363,7 +363,7 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
       for (int a = 0; a < D; a++)
         for (int b = a; b < D; b++, at += LANES) *at = static_cast<Number>(inverse(a, b));
       for (int a = 0; a < D; a++)
-        of.gradient_sum_of(block)[a * LANES + m] = static_cast<Number>(sum[m][a]);
+        of.gradient_sum[vector_at(block) + a * LANES + m] = static_cast<Number>(sum[m][a]);
       const int i = of.own[block * LANES + n];
       of.columns.set(block * LANES + m, DENSITY, p.mass[i] / p.vref[i] * inverse.trace() / D);
       if (of.needs_correction()) of.columns.set(block * LANES + m, LAST, rounded(nsum[n]));
@@ -488,13 +488,22 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::size_stor
     near_in_order.resize(slots.near_first.back());
     std::iota(near_in_order.begin(), near_in_order.end(), 0);
   }
-  damp.clear();
+  central_forces.clear();
   B.resize(static_cast<std::size_t>(end_of_own) * SYMMETRIC);
   gradient_sum.assign(static_cast<std::size_t>(end_of_own) * D, 0.0);
-  if (needs_correction()) uncorrected_force.assign(gradient_sum.size(), 0.0);
   if (this->limits_step) mu_max.assign(end_of_own, 0.0);
-  if (this->keeps_heat) early.assign(end_of_own, 0.0);
-  weights_known = false;
+  size_accounts();
+  weights_known = velocities_known = false;
+}
+
+template <int D, class Precision> void LagrangianSweeps<D, Precision>::size_accounts()
+{
+  const bool viscous = opt.viscosity != Viscosity::NONE;
+  accounts.hourglass = needs_correction() || (viscous && opt.energy) ? D : 0;
+  accounts.stress = accounts.hourglass + (opt.energy && opt.hourglass > 0.0 ? D : 0);
+  accounts.pairs = accounts.stress + (this->keeps_heat ? 1 : 0);
+  accounts.size = accounts.pairs + (opt.energy && dissipates() ? 1 : 0);
+  accounts.numbers.assign(end_of_own * std::size_t(accounts.size), 0.0);
 }
 
 template <int D, class Precision> int LagrangianSweeps<D, Precision>::neighbor_count(int i) const
@@ -505,10 +514,9 @@ template <int D, class Precision> int LagrangianSweeps<D, Precision>::neighbor_c
 template <int D, class Precision> double LagrangianSweeps<D, Precision>::memory_usage() const
 {
   double bytes = columns.memory_usage() + slots.memory_usage() + near_weight.memory_usage();
-  for (const Numbers *rows :
-       {&B, &gradient_sum, &uncorrected_force, &pull, &near_pull, &mu_max, &early})
+  for (const Numbers *rows : {&B, &gradient_sum, &accounts.numbers, &heated_force, &power_then,
+                              &central_forces, &near_pull, &mu_max})
     bytes += static_cast<double>(rows->capacity() * sizeof(Number));
-  bytes += static_cast<double>(damp.capacity() * sizeof(float));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }
 

@@ -32,6 +32,21 @@ void LagrangianSweeps<D, Precision>::pack_kinematics(const Particles &p, const d
     columns.copy_to_rows(block * LANES, X, REFERENCE);
   });
   Base::pack_ghosts(p, v);
+  velocities_known = true;
+}
+
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::displace(const double *const *u)
+{
+  save_power();
+  Base::displace(u);
+}
+
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::displace(const Particles &p, const Kick &kick)
+{
+  save_power();
+  Base::displace(p, kick);
 }
 
 template <int D, class Precision> void LagrangianSweeps<D, Precision>::mirror_stress()
@@ -47,8 +62,8 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::mirror_st
   // as long as weights are known, so is this
   if (needs_correction() && !weights_known) Base::find_lonely();
   // not sooner, when lists of partners take room as well
-  if (opt.hourglass > 0.0) damp.resize(slots.pairs());
-  if (keeps_pairs()) pull.resize(slots.pairs());
+  if (this->wants_virial && keeps_central()) central_forces.resize(slots.pairs());
+  if (opt.energy && needs_correction() && keeps_pairs()) heated_force.resize(gradient_sum.size());
 }
 
 }    // namespace

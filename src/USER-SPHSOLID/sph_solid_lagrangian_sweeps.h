@@ -36,23 +36,15 @@ namespace {
 ------------------------------------------------------------------------- */
 
 template <int D, class Precision>
-template <typename LagrangianSweeps<D, Precision>::Work WORK>
 typename LagrangianSweeps<D, Precision>::Sums
 LagrangianSweeps<D, Precision>::accumulate(int block) const
 {
   const Number *i = columns.at(block * LANES);
-  const int first = slots.first[block], end = slots.first[block + 1],
-            near_end = first + slots.nearest(block);
-  const auto near = near_factors(block);
+  const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
-  const int last = keeps_pairs() ? FIXED : T;    // of what is read of neighbors
-  const Kept kept_of_pairs = kept();
   TensorSums<D, Pack> displaced, velocity;
-  PairWork work = {Pack(0.0), Pack(0.0), Pack(0.0)};
   const Motion own(*this, i);
-  const typename Base::template CorrectionHeat<false> heat(*this, i,
-                                                           needs_correction() ? at_da : V);
-  Neighbors neighbors(*this, block, last, std::max(last, at_da));
+  Neighbors neighbors(*this, block, T);
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
     neighbors.template prefetch_ahead<T>(s, j);
@@ -61,26 +53,15 @@ LagrangianSweeps<D, Precision>::accumulate(int block) const
     displacement(i, j, d.x, -factor(constants.of(s - first), j), u, g);
     displaced.add(u, g);
     velocity.add(d.v, g);
-    if (WORK == Work::NONE) continue;
-    add_work<WORK>(kept_of_pairs, s, i, j, d, work);
-    if (s >= near_end) continue;
-    Pack corrected = 0.0;
-    if (WORK == Work::WHOLE)
-      corrected = heat.of(j);
-    else    // compatible and conservative
-      for (int a = 0; a < D; a++)
-        corrected =
-            multiply_add(d.v[a], component(i, at_da + a) - component(j, at_da + a), corrected);
-    work.corrected = multiply_add(load(near.of(s - first)), corrected, work.corrected);
   }
-  return {displaced.tensor(), velocity.tensor(), work};
+  return {displaced.tensor(), velocity.tensor()};
 }
 
 template <int D, class Precision>
 int LagrangianSweeps<D, Precision>::gradient(const Particles &p, const NeighborRows &, double dt)
 {
   std::atomic<int> bad(-1);
-  const bool late = this->due.factor > 0.0;
+  const bool late = this->due > 0.0;
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     const int unphysical = late ? update<true>(p, block, batch, dt, t)
                                 : update<false>(p, block, batch, dt, t);
@@ -96,8 +77,6 @@ template <int D, class Precision>
 void LagrangianSweeps<D, Precision>::repeat_last(Sums &sums, int n)
 {
   for (Tensors *of : {&sums.displacement, &sums.velocity}) Base::repeat_last(*of, n);
-  for (Pack *of : {&sums.work.viscous, &sums.work.corrected, &sums.work.hourglass})
-    Base::repeat_last(*of, n);
 }
 
 // constitutive update of a block and what their neighbors read; the
@@ -108,15 +87,13 @@ template <bool LATE>
 int LagrangianSweeps<D, Precision>::update(const Particles &p, int block, const Batch &batch,
                                            double dt, Totals &totals)
 {
-  if (Base::ask_points_ahead(p, block, batch, T, at_da))
-    prefetch(correction_of(block + 2), SYMMETRIC * LANES);
-  constexpr Work WORK = LATE ? Work::DUE : Work::NONE;
-  Sums sums = accumulate<WORK>(block);
+  if (Base::ask_points_ahead(p, block, batch, T, at_da)) ask_own_ahead(block + 2);
+  Sums sums = accumulate(block);
   if (batch.n < LANES) repeat_last(sums, batch.n);
   const Tensors correction = load_correction(block);
   const Tensors Fi = Tensors::Identity() + sums.displacement * correction;
   const Tensors rate = sums.velocity * correction;
-  if (LATE) add_late_heat(p, block, batch, sums, totals);
+  if (LATE) add_late_heat(p, block, batch, sums.velocity, totals);
 
   Tensors L = Tensors::Zero();
   if (dt > 0.0) L = rate * Tensors(Fi - Pack(0.5 * dt) * rate).inverse();
@@ -128,7 +105,7 @@ int LagrangianSweeps<D, Precision>::update(const Particles &p, int block, const 
   const Tensors inverse = Fi.inverse(), C = J * inverse.transpose() * correction.transpose();
   const Tensors sigma_C = points.sigma * C;
   if (this->keeps_heat)
-    store(&early[block * LANES], V0 * sums.velocity.cwiseProduct(sigma_C).sum());
+    store(accounts.at(block, accounts.stress), V0 * sums.velocity.cwiseProduct(sigma_C).sum());
 
   const int column = block * LANES;
   const Pack h = Base::smoothing_lengths(p, batch);
@@ -206,8 +183,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
-  float *damping = damp.data();
-  Number *pulls = pull.data();
+  Number *const of_virial = this->wants_virial ? central_forces.data() : nullptr;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double minus_a1 = -0.25 * opt.a1, a2 = 0.5 * opt.a2;    // of the sums of both particles
   const int rho0 = at_rho;
@@ -219,10 +195,10 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   const Places own_reference(*this, i, REFERENCE);
   const Pack own_linear = minus_a1 * component(i, SOUND), own_density = component(i, DENSITY),
              own_impedance = component(i, IMPEDANCE);
-  Pack stress[D], central[D], replaced[D];    // sums over pairs
+  Pack stress[D], damped[D], whole[D], replaced[D];    // sums over pairs
   Pack mu_least = zero, viscous_power = zero, hourglass_power = zero;
   each_index<D>([&](auto a) {
-    stress[a] = central[a] = replaced[a] = zero;
+    stress[a] = damped[a] = whole[a] = replaced[a] = zero;
   });
   Neighbors neighbors(*this, block, at_da, at_rho);
 
@@ -261,11 +237,10 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
       Pack impedance = impedances;
       if (UNLIKE) impedance = 4.0 * own_impedance * component(j, IMPEDANCE) * (inverse * r2 * rhos);
       const Pack rest = multiply_add(BOTH ? li + lj : li, Pack(-0.5), vr);
-      const Single kept = rounded(impedance * rest * per_r2);
-      store(damping + k, kept);
-      const Pack q = weight * widened(kept);
+      const Pack q = weight * (impedance * rest * per_r2);
       hourglass_power = multiply_add(q, vr, hourglass_power);
-      d.add_to(central, q);
+      d.add_to(damped, q);
+      if (of_virial) store(of_virial + k, damping_unit * q);
     }
     if (VISCOUS) {
       const Pack on = needs_switch(FORM) ? 0.5 * (component(i, LAST) + component(j, LAST)) : one;
@@ -281,13 +256,15 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
       if (FORM == PairForm::SWITCHED) Pi *= on;
       const Pack q = Pi * (dot<D>(X, X) * (weight * per_r2));    // V0_j Pi G
       if (keep) {
-        store(pulls + k, q);
         viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
+        if (of_virial)
+          store(of_virial + k,
+                (HOURGLASS ? load(of_virial + k) : zero) - Base::whole_pull(i, j, LAST, q));
       }
       if (alone) {
-        const Pack whole = Base::whole_pull(i, j, LAST, q);
-        d.add_to(central, (-1.0 / damping_unit) * whole);
-        d.add_to(replaced, q - whole);
+        const Pack stays = Base::whole_pull(i, j, LAST, q);
+        d.add_to(whole, stays);
+        d.add_to(replaced, q - stays);
       } else
         d.add_to(replaced, q);
       mu_least = minimum(mu_least, mu);
@@ -295,16 +272,16 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   }
 
   const Pack V0 = own_volume(block);
-  const Number *own_sum = gradient_sum_of(block);
-  Pack force[D],
-      acceleration[D];    // not the sums, which would be kept in memory if one took their address
+  const Number *own_sum = &gradient_sum[vector_at(block)];
+  // not the sums, which would be kept in memory if one took their address
+  Pack force[D], damping[D], acceleration[D];
   each_index<D>([&](auto a) {
     force[a] = stress[a];
     for (int b = 0; b < D; b++)
       force[a] = multiply_add(component(i, T + D * a + b), load(own_sum + b * LANES), force[a]);
-    force[a] = multiply_add(damping_unit, central[a], force[a]);
-    if (VISCOUS && !correct) force[a] -= replaced[a];
-    force[a] *= V0;
+    damping[a] = damping_unit * V0 * damped[a];
+    force[a] = multiply_add(V0, force[a], damping[a]);
+    if (VISCOUS) force[a] -= V0 * (correct ? whole[a] : replaced[a]);
   });
   if (VISCOUS && correct) {
     const Pack per_mass = V0 / batch.load(p.mass);
@@ -312,17 +289,32 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
       acceleration[a] = -(per_mass * replaced[a]);
     });
     columns.store(block * LANES, at_da, acceleration, D);
-    each_index<D>([&](auto a) {
-      store(uncorrected_force_of(block) + a * LANES, force[a]);
-    });
+    store_vector(accounts.at(block, Accounts::VISCOUS), force);
   } else
     Base::add_forces(p, batch, force);
   columns.copy_to_rows(block * LANES, at_da, columns.components());
   if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
-  if (!this->keeps_heat) return;
+  if (!(VISCOUS || HOURGLASS) || !opt.energy) return;
+
+  // for heat
   const Pack viscous_heat = 0.5 * V0 * viscous_power,
              hourglass_heat = (-0.5 * damping_unit) * V0 * hourglass_power;
-  store(&early[block * LANES], load(&early[block * LANES]) + viscous_heat + hourglass_heat);
+  Pack own_power = zero;
+  if (HOURGLASS) {
+    store_vector(accounts.at(block, accounts.hourglass), damping);
+    own_power = dot<D>(damping, own.v);
+  }
+  if (keep) {
+    const bool all = !correct || opt.heating == Heating::PRINTED;
+    each_index<D>([&](auto a) {
+      force[a] = -(V0 * (all ? whole[a] + replaced[a] : whole[a]));
+    });
+    store_vector(correct ? &heated_force[vector_at(block)] : accounts.at(block, Accounts::VISCOUS),
+                 force);
+    own_power += dot<D>(force, own.v);
+  }
+  store(accounts.at(block, accounts.pairs), 2.0 * (viscous_heat + hourglass_heat) + own_power);
+  if (!this->keeps_heat) return;
   const double viscous = Base::sum_of_first(viscous_heat, batch.n);
   totals.viscous += viscous;
   totals.standard += viscous;

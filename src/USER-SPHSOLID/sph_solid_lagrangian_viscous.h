@@ -50,7 +50,7 @@ void LagrangianSweeps<D, Precision>::correction(const Particles &p, const Neighb
   if (!weights_known) find_weights();
   const Totals totals = each_block([&](int block, const Batch &batch, Totals &t) {
     if (safe()) safe_pulls(block);
-    if (this->keeps_heat)
+    if (opt.energy && Base::heats_evenly())
       correct_block<true>(p, block, batch, t);
     else
       correct_block<false>(p, block, batch, t);
@@ -58,7 +58,7 @@ void LagrangianSweeps<D, Precision>::correction(const Particles &p, const Neighb
   Totals::add(early_totals, totals);
 }
 
-// forces and, with heat on the way, their work on the velocities they come from
+// forces and, where their heat is the same from both sides, what is known of it
 
 template <int D, class Precision>
 template <bool HEATS>
@@ -87,12 +87,19 @@ void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block
     for (int a = 0; a < D; a++) heat = multiply_add(v[a] - component(j, V + a), along[a], heat);
     power = multiply_add(w, heat, power);
   }
-  for (int a = 0; a < D; a++)
-    f[a] = multiply_add(0.5 * mass, f[a], load(uncorrected_force_of(block) + a * LANES));
-  Base::add_forces(p, batch, f);
+  Number *const waiting = accounts.at(block, Accounts::VISCOUS);
+  Pack all[D];
+  for (int a = 0; a < D; a++) {
+    f[a] *= 0.5 * mass;
+    all[a] = f[a] + load(waiting + a * LANES);
+  }
+  Base::add_forces(p, batch, all);
   if (!HEATS) return;
+  store_vector(waiting, f);
   const Pack heat = -0.25 * mass * power;
-  store(&early[block * LANES], load(&early[block * LANES]) + heat);
+  Number *const pairs = accounts.at(block, accounts.pairs);
+  store(pairs, load(pairs) + 2.0 * heat + dot<D>(f, v));
+  if (!this->keeps_heat) return;
   totals.viscous += Base::sum_of_first(heat, batch.n);
   totals.standard += Base::sum_of_first(standard_power(i, mass), batch.n);
 }

@@ -139,11 +139,6 @@ struct Ledger {
 // the gradient sweep of the next evaluation, which reads v' anyway, the share of v'.  Where
 // kernel gradients are constant that takes no sweep of its own
 
-struct HeatDue {
-  double factor = 0.0;    // (dt1 + dt2)/4, 0: nothing is due [time]
-  double drift = 0.0;     // particles have moved by drift v' since the evaluation [time]
-};
-
 // displacements v_scale v + a_scale f/m; without a force of those that are not kicked
 
 struct Kick {
@@ -170,10 +165,11 @@ class Sweeps {
   Images images;
   int nthreads = 1;
   Ledger ledger;
-  HeatDue due;                // for the next gradient sweep, which adds it to p.e and clears it
+  double due = 0.0;    // factor for the next gradient sweep, which adds to p.e and clears it [time]
   bool limits_step = true;    // will time_step_limit() be asked for?
   bool keeps_heat = false;    // the share of v is to be found: only where can_keep_heat()
   bool unlike = false;        // lagrangian: do materials differ (Likeness)?  Before new_neighbors()
+  bool wants_virial = true;    // will virial() be called for the forces to come?
 
   // neighbor lists are new: find images, size the storage.  reach: largest
   // cutoff with skin
@@ -207,10 +203,10 @@ class Sweeps {
   virtual bool needs_correction() const = 0;
   virtual void correction(const Particles &, const NeighborRows &) = 0;
 
-  // the energy the pair forces give to particles while every particle moves by its displacement, of
-  // own and ghosts set by displace() or unpack(): heat[i] of particle i or, with heat null,
-  // added to p.e and to the ledger
-  virtual void heat(const Particles &, const NeighborRows &, double *heat) = 0;
+  // the energy the pair forces give to particles while every particle moves by its displacement in
+  // this time, of own and ghosts set by displace() or unpack(): heat[i] of particle i or, with heat
+  // null, added to p.e and to the ledger
+  virtual void heat(const Particles &, const NeighborRows &, double time, double *heat) = 0;
 
   virtual bool can_keep_heat() const { return false; }
   // the share that the next gradient sweep would add, to the same bits: before rows change

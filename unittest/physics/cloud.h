@@ -318,9 +318,11 @@ class Cloud {
 
   void give_heat(const std::vector<Vector3d> &u, double *out)
   {
-    for (int i = 0; i < size(); i++) set(Message::DISPLACEMENT, i, u[i]);
+    std::vector<const double *> of_own;
+    for (const Vector3d &one : u) of_own.push_back(one.data());
+    sweeps->displace(of_own.data());
     send(Message::DISPLACEMENT);
-    sweeps->heat(particles(), rows, out);
+    sweeps->heat(particles(), rows, 1.0, out);
   }
 
   double largest_h() const { return std::max(opt.h, other_h); }

@@ -91,6 +91,31 @@ TEST_P(Lagrangian, HeatIsGalileanInvariant)
   EXPECT_LT(galilean_error(c), 1e-12);
 }
 
+// viscosity and hourglass damping: where displacements differ from those of the velocities that the forces
+// come from, each particle has the work of its own force
+
+TEST_P(Lagrangian, ChangeOfVelocityIsWorkOfTheOwnForce)
+{
+  Cloud with = cloud(14), without = cloud(14);
+  without.opt.viscosity = Viscosity::NONE;
+  without.opt.hourglass = 0.0;
+  with.evaluate();
+  without.evaluate();
+  const std::vector<Vector3d> u = random_displacement(with, 6);
+  const std::vector<double> heat = with.heat(u), heat_of_v = with.heat(with.v),
+                            stress = without.heat(u), stress_of_v = without.heat(without.v);
+  double worst = 0.0, most = 0.0;
+  for (int i = 0; i < with.size(); i++) {
+    const double change = (heat[i] - heat_of_v[i]) - (stress[i] - stress_of_v[i]),
+                 work = -(with.f(i) - without.f(i)).dot(u[i] - with.v[i]);
+    worst = std::max(worst, std::fabs(change - work));
+    most = std::max(most, std::fabs(work));
+  }
+  const bool dissipates = with.opt.viscosity != Viscosity::NONE || with.opt.hourglass > 0.0;
+  EXPECT_EQ(most > 0.0, dissipates);
+  EXPECT_LE(worst, 1e-12 * most);
+}
+
 TEST_P(Lagrangian, Virial)
 {
   Cloud c = cloud(8);

@@ -188,6 +188,7 @@ INSTANTIATE_TEST_SUITE_P(Dimensions, LagrangianViscosity, testing::Values(2, 3))
 
 std::vector<Vector3d> forces_with(Cloud &c, const std::function<Vector3d(int)> &acceleration)
 {
+  c.sweeps->force(c.particles(), c.neighbors());
   c.forget_forces();
   for (int i = 0; i < c.size(); i++) c.set(Message::VISCOUS, i, acceleration(i));
   c.sweeps->correction(c.particles(), c.neighbors());
