@@ -84,6 +84,7 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
   std::vector<int> own;          // own particles in the order of columns
   std::vector<int> column_of;    // of every own particle, ghost and image, -1: none
   int end_of_own = 0, end_of_columns = 0;
+  std::vector<int> first_of_run;    // of each block whose particles lie one after the other, or -1
 
   // components that messages fill: what ghosts are sent of the constitutive update lies from stress
   // to da, n of the correction or the switch of a viscosity at last, the viscous acceleration at da
@@ -106,6 +107,11 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
   {
     return std::min(LANES, static_cast<int>(own.size()) - block * LANES);
   }
+  // the particles of a block
+  Batch batch(int block) const
+  {
+    return first_of_run[block] >= 0 ? Batch(first_of_run[block]) : Batch(own_list(), block * LANES);
+  }
   template <class Call> Totals each_block(Call call);
 
   // columns of own particles, of ghosts and of images, in these orders, among so many rows
@@ -117,6 +123,10 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     int column = 0;
     for (const int i : own) column_of[i] = column++;
     end_of_own = column = Columns::whole_blocks(column);
+    first_of_run.assign(blocks(), -1);
+    for (int block = 0; block < blocks(); block++)
+      if (const Batch of_block = batch(block); of_block.n == LANES && of_block.consecutive)
+        first_of_run[block] = of_block.i[0];
     for (const std::vector<int> *of : {&ghosts, &mirrored})
       for (const int row : *of) column_of[row] = column++;
     end_of_columns = column;
@@ -463,13 +473,12 @@ template <int D, class Precision>
 template <class Call>
 typename ColumnSweeps<D, Precision>::Totals ColumnSweeps<D, Precision>::each_block(Call call)
 {
-  const NeighborRows list = own_list();
   return join_shares(
       nthreads, blocks(), Totals(),
       [&](int first, int end) {
         Totals totals;
         for (int block = first; block < end; block++)
-          call(block, Batch(list, block * LANES), totals);
+          call(block, batch(block), totals);
         return totals;
       },
       Totals::add);
@@ -786,11 +795,10 @@ ColumnSweeps<D, Precision>::standard_power(const Number *i, Pack mass) const
 template <int D, class Precision>
 void ColumnSweeps<D, Precision>::virial(const Particles &p, const NeighborRows &, double *six)
 {
-  const NeighborRows list = own_list();
   Base::add_virial(blocks(), six, [&](int first, int end) {
     typename Base::Six total = {};
     for (int block = first; block < end; block++) {
-      const Tensors sum = block_virial(p, block, Batch(list, block * LANES));
+      const Tensors sum = block_virial(p, block, batch(block));
       for (int a = 0; a < D; a++)
         for (int b = a; b < D; b++)
           total[VOIGT[a][b]] += 0.5 * Base::sum_of_first(sum(b, a), particles_of(block));

@@ -93,7 +93,7 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
 
  private:
   using Base = ColumnSweeps<D, Precision>;
-  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
+  using Base::AHEAD, Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
       Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
       Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely,
       Base::mirror_vectors, Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles,

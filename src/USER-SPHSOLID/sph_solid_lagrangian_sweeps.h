@@ -42,6 +42,12 @@ LagrangianSweeps<D, Precision>::accumulate(int block) const
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
+  if (asks_ahead && block + 2 < blocks()) {
+    const int next = slots.first[block + 2], n = slots.first[block + 3] - next;
+    constants.ask(next - first, n + 15);
+    prefetch(slots.further.data() + next, n + 15);
+    prefetch(slots.foremost.data() + next, n + 63);
+  }
   TensorSums<D, Pack> displaced, velocity;
   const Motion own(*this, i);
   Neighbors neighbors(*this, block, T);
@@ -180,9 +186,20 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
+  if (asks_ahead && block + 2 < blocks()) {
+    prefetch(&gradient_sum[vector_at(block + 2)], D * LANES);
+    if (accounts.size) prefetch(accounts.at(block + 2, 0), accounts.size * LANES);
+    for (int a = 0; a < D; a++) prefetch(columns.at((block + 2) * LANES) + (at_da + a) * NEXT, LANES);
+  }
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
+  if (asks_ahead && block + 2 < blocks()) {
+    const int next = slots.first[block + 2], n = slots.first[block + 3] - next;
+    constants.ask(next - first, n + 15);
+    prefetch(slots.further.data() + next, n + 15);
+    prefetch(slots.foremost.data() + next, n + 63);
+  }
   Number *const of_virial = this->wants_virial ? central_forces.data() : nullptr;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double minus_a1 = -0.25 * opt.a1, a2 = 0.5 * opt.a2;    // of the sums of both particles

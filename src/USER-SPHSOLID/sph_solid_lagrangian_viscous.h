@@ -65,6 +65,7 @@ template <bool HEATS>
 void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block,
                                                    const Batch &batch, Totals &totals)
 {
+  if (asks_ahead && block + 2 < blocks()) prefetch(accounts.at(block + 2, 0), accounts.size * LANES);
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = first + slots.nearest(block);
   const auto near = near_factors(block);
@@ -79,6 +80,11 @@ void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block
   Neighbors neighbors(*this, block, T, at_da);
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
+    if (slots.foremost[s]) {
+      for (int a = 0; a < D; a++) prefetch(j + AHEAD + (at_da + a) * NEXT, 1);
+      if (HEATS)
+        for (int a = 0; a < D; a++) prefetch(j + AHEAD + (V + a) * NEXT, 1);
+    }
     const Pack w = load(near.of(s - first));
     Pack along[D], heat = 0.0;
     of_pair.from(j, along);

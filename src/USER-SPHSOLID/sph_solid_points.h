@@ -36,6 +36,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <type_traits>
 
 namespace SPHSolid {
@@ -147,6 +148,8 @@ template <int D> class PointSweeps : public Sweeps {
     static constexpr int LANES = lanes_of<Pack>;
     int i[LANES], n;
     bool consecutive;    // they lie one after the other in arrays
+    // those from i on
+    explicit BatchOf(int from) : n(LANES), consecutive(true) { std::iota(i, i + LANES, from); }
     BatchOf(const NeighborRows &list, int first) : n(std::min(LANES, list.inum - first))
     {
       const int *from = list.ilist + first;
