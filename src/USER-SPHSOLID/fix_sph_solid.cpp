@@ -406,10 +406,12 @@ void FixSPHSolid::add_to_moved(int first, int end, double **to, double *const *f
     for (int i = first; i < std::min(first + LANES, end); i++) of_all &= mask[i];
     if (of_all && first + LANES <= end) {
       const SPHSolid::Pack factors = factor(SPHSolid::load(rmass + first));
+      double *into = to[0] + 3 * std::ptrdiff_t(first);    // without looking for its place
+      const double *with = from[0] + 3 * std::ptrdiff_t(first);
       if (dimension == 3)
-        SPHSolid::add_multiples<3>(to[first], from[first], factors);
+        SPHSolid::add_multiples<3>(into, with, factors);
       else
-        SPHSolid::add_multiples<2>(to[first], from[first], factors);
+        SPHSolid::add_multiples<2>(into, with, factors);
       continue;
     }
     for (int i = first; i < std::min(first + LANES, end); i++) {

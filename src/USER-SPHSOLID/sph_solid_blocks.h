@@ -39,10 +39,10 @@ template <int i, int j, int k, int l, class Pack> inline Pack shuffle(Pack a, Pa
 struct Addresses {
   const double *block[BLOCKS];
 
-  // rows j[0] and, with a second block, j[4]
-  Addresses(const double *const *rows, const int *j)
+  // rows j[0] and, with a second block, j[4] of an array with so many columns
+  Addresses(const double *array, int columns, const int *j)
   {
-    for (int b = 0; b < BLOCKS; b++) block[b] = rows[j[b * BLOCK]];
+    for (int b = 0; b < BLOCKS; b++) block[b] = array + columns * std::ptrdiff_t(j[b * BLOCK]);
   }
   Addresses(const double *first, const double *second)
   {

@@ -519,7 +519,7 @@ void ColumnSweeps<D, Precision>::load_vectors(const Batch &batch, const double *
 {
   const int *i = batch.i + part * SPHSolid::LANES;
   if (batch.consecutive)
-    load_components<D>(of[i[0]], v);
+    load_components<D>(of[0] + SPACE * std::ptrdiff_t(i[0]), v);
   else
     for (int a = 0; a < D; a++)
       v[a] = pack_of([&](int m) {
@@ -700,7 +700,8 @@ void ColumnSweeps<D, Precision>::add_forces(const Particles &p, const Batch &bat
     SPHSolid::Pack of_part[D];
     for (int a = 0; a < D; a++) of_part[a] = part_of<part()>(f[a]);
     const int *i = batch.i + part() * SPHSolid::LANES;
-    if (batch.consecutive) return add_components<D>(p.f[i[0]], of_part);
+    if (batch.consecutive)
+      return add_components<D>(p.f[0] + SPACE * std::ptrdiff_t(i[0]), of_part);
     const int end = std::min(batch.template left<part()>(), SPHSolid::LANES);
     for (int m = 0; m < end; m++)
       for (int a = 0; a < D; a++) p.f[i[m]][a] += of_part[a][m];

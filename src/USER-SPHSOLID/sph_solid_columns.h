@@ -67,6 +67,11 @@ template <class Precision> class ColumnsOf {
   // numbers from one column to another, not more than FURTHEST away (sph_solid_slots.h)
   int from(int column, int other) const { return static_cast<int>(at(other) - at(column)); }
 
+  // For who asks ahead: a column lies so many before the end of its chunk; those behind lie skipped() numbers
+  // further on than that many columns
+  static int left_of_chunk(int column) { return LENGTH - (column + LANES) % LENGTH; }
+  std::ptrdiff_t skipped() const { return size_of_chunk() - LENGTH; }
+
   // LANES columns from a multiple of LANES on
   void store(int column, int component, Pack v) { store(column, component, &v, 1); }
   // of count components from first on

@@ -52,6 +52,15 @@
 #include "sph_solid_slots.h"
 
 #include <mutex>
+#ifndef GA
+#define GA 4
+#endif
+#ifndef FA
+#define FA 2
+#endif
+#ifndef CA
+#define CA 6
+#endif
 
 // of one source file, sph_solid_sweeps_lagrangian*.cpp.  That the compiler knows this is worth 5 %
 // of a step in two dimensions: it inlines what is called once
@@ -93,7 +102,7 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
 
  private:
   using Base = ColumnSweeps<D, Precision>;
-  using Base::AHEAD, Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
+  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
       Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
       Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely,
       Base::mirror_vectors, Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles,
@@ -138,6 +147,7 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   };
   void size_accounts();
 
+  static constexpr int GRADIENT_AHEAD = GA, FORCE_AHEAD = FA, CORRECTION_AHEAD = CA;
   using Slots = SlotsOf<LANES>;
   Slots slots;
   // of own particles: B on and above the diagonal, sum V0_j g_ij
@@ -190,7 +200,8 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
     }
     Neighbors(const LagrangianSweeps &s, int block, int end, int second) :
         View(s, s.slots.gathered, block, 0, end, second, s.components()),
-        further(s.slots.further.data()), foremost(s.slots.foremost.data())
+        further(s.slots.further.data()), foremost(s.slots.foremost.data()),
+        skipped(s.columns.skipped())
     {
     }
     [[gnu::always_inline]] const Number *operator()(int slot)
@@ -198,16 +209,28 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
       return View::operator()(further[slot]);
     }
     int column(int slot, int lane) const { return View::column(further[slot], lane); }
-    // ask for what the blocks to come read of the columns that this slot reads
-    template <int END> void prefetch_ahead(int slot, const Number *j) const
+    // ask for what a block so many columns further on will read of the columns that this slot reads
+    [[gnu::always_inline]] const Number *ahead(int slot, const Number *j, int columns) const
+    {
+      return j + columns + (foremost[slot] > columns ? 0 : skipped);
+    }
+    template <int END> void prefetch_ahead(int slot, const Number *j, int columns) const
     {
       if (foremost[slot])
-        Base::prefetch_components(j + Base::AHEAD, std::make_integer_sequence<int, END>());
+        Base::prefetch_components(ahead(slot, j, columns), std::make_integer_sequence<int, END>());
+    }
+    void prefetch_ahead(int slot, const Number *j, int columns, int first, int second) const
+    {
+      if (!foremost[slot]) return;
+      const Number *at = ahead(slot, j, columns);
+      for (int a = 0; a < D; a++) prefetch(at + (first + a) * NEXT, 1);
+      for (int a = 0; a < D; a++) prefetch(at + (second + a) * NEXT, 1);
     }
 
    private:
     const int *const further;
-    const char *const foremost;
+    const unsigned char *const foremost;
+    const std::ptrdiff_t skipped;
   };
   // V0_j grad_i W = this times X_ij; of the constants of a slot
   static Pack factor(const float *constants, const Number *j)

@@ -53,7 +53,7 @@ LagrangianSweeps<D, Precision>::accumulate(int block) const
   Neighbors neighbors(*this, block, T);
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
-    neighbors.template prefetch_ahead<T>(s, j);
+    neighbors.template prefetch_ahead<T>(s, j, GRADIENT_AHEAD * LANES);
     const Parts d = own.from(j);
     Pack u[D], g[D];
     displacement(i, j, d.x, -factor(constants.of(s - first), j), u, g);
@@ -190,6 +190,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
     prefetch(&gradient_sum[vector_at(block + 2)], D * LANES);
     if (accounts.size) prefetch(accounts.at(block + 2, 0), accounts.size * LANES);
     for (int a = 0; a < D; a++) prefetch(columns.at((block + 2) * LANES) + (at_da + a) * NEXT, LANES);
+    prefetch(p.mass + std::min(batch.i[0] + 2 * LANES, p.nlocal - 1), LANES);
   }
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
@@ -222,7 +223,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   for (int s = first; s < end; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
     const Number *j = neighbors(s);
-    neighbors.template prefetch_ahead<at_rate + (RATES ? SYMMETRIC : 0)>(s, j);
+    neighbors.template prefetch_ahead<at_rate + (RATES ? SYMMETRIC : 0)>(s, j, FORCE_AHEAD * LANES);
     const float *constant = constants.of(s - first);
     const Pack kernel = Precision::load(constant + Slots::FACTOR), weight = component(j, WEIGHT),
                F = kernel * weight;

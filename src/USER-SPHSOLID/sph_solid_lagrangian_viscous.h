@@ -65,38 +65,37 @@ template <bool HEATS>
 void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block,
                                                    const Batch &batch, Totals &totals)
 {
-  if (asks_ahead && block + 2 < blocks()) prefetch(accounts.at(block + 2, 0), accounts.size * LANES);
+  if (asks_ahead && block + 2 < blocks()) {
+    prefetch(accounts.at(block + 2, 0), accounts.size * LANES);
+    prefetch(p.mass + std::min(batch.i[0] + 4 * LANES, p.nlocal - 1), LANES);
+  }
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = first + slots.nearest(block);
   const auto near = near_factors(block);
   const Pack mass = batch.load(p.mass);
   // what is the particle's own out of the loop, a tenth of its instructions
   const typename Base::template Along<!HEATS> of_pair(*this, i, at_da);
-  Pack v[D], f[D], power = 0.0;
+  Pack v[D], sum[D], power = 0.0;
   for (int a = 0; a < D; a++) {
     v[a] = component(i, V + a);
-    f[a] = 0.0;
+    sum[a] = 0.0;
   }
   Neighbors neighbors(*this, block, T, at_da);
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
-    if (slots.foremost[s]) {
-      for (int a = 0; a < D; a++) prefetch(j + AHEAD + (at_da + a) * NEXT, 1);
-      if (HEATS)
-        for (int a = 0; a < D; a++) prefetch(j + AHEAD + (V + a) * NEXT, 1);
-    }
+    neighbors.prefetch_ahead(s, j, CORRECTION_AHEAD * LANES, at_da, V);
     const Pack w = load(near.of(s - first));
     Pack along[D], heat = 0.0;
     of_pair.from(j, along);
-    for (int a = 0; a < D; a++) f[a] = multiply_add(w, along[a], f[a]);
+    for (int a = 0; a < D; a++) sum[a] = multiply_add(w, along[a], sum[a]);
     if (!HEATS) continue;
     for (int a = 0; a < D; a++) heat = multiply_add(v[a] - component(j, V + a), along[a], heat);
     power = multiply_add(w, heat, power);
   }
   Number *const waiting = accounts.at(block, Accounts::VISCOUS);
-  Pack all[D];
+  Pack f[D], all[D];
   for (int a = 0; a < D; a++) {
-    f[a] *= 0.5 * mass;
+    f[a] = 0.5 * mass * sum[a];
     all[a] = f[a] + load(waiting + a * LANES);
   }
   Base::add_forces(p, batch, all);

@@ -184,6 +184,8 @@ template <int D> class PointSweeps : public Sweeps {
     template <int part> int left() const { return n - part * SPHSolid::LANES; }
     template <int part> BatchOf<SPHSolid::Pack> part_of_batch() const
     {
+      if (consecutive && left<part>() >= SPHSolid::LANES)
+        return BatchOf<SPHSolid::Pack>(i[part * SPHSolid::LANES]);
       NeighborRows list = {left<part>(), const_cast<int *>(i) + part * SPHSolid::LANES, nullptr,
                            nullptr};
       return {list, 0};
@@ -271,7 +273,7 @@ template <int D> class PointSweeps : public Sweeps {
   // what update_points() reads of n particles from next on
   static void prefetch_state(const Particles &p, int next, int n)
   {
-    prefetch(p.stress[next], 6 * n);
+    prefetch(p.stress[0] + 6 * std::ptrdiff_t(next), 6 * n);
     const double *arrays[] = {p.rho, p.epl, p.e, p.mass, p.volume};
     for (const double *array : arrays) prefetch(array + next, n);
   }
@@ -348,7 +350,7 @@ void PointSweeps<D>::load_deviator(const Particles &p, const Batch &batch,
                                    PointState<D, Pack> &state)
 {
   auto columns = [&](int at, Pack *c) {
-    for (int m = 0; m < BLOCK; m++) c[m] = load(Addresses(p.stress, batch.i + m) + at);
+    for (int m = 0; m < BLOCK; m++) c[m] = load(Addresses(p.stress[0], 6, batch.i + m) + at);
     transpose(c[0], c[1], c[2], c[3]);
   };
   Pack c[BLOCK];
@@ -378,7 +380,7 @@ void PointSweeps<D>::store_deviator(const Particles &p, const Batch &batch,
   auto store_columns = [&](int at, Pack a, Pack b, Pack c, Pack d) {
     transpose(a, b, c, d);
     const Pack rows[BLOCK] = {a, b, c, d};
-    for (int m = 0; m < BLOCK; m++) store(Addresses(p.stress, batch.i + m) + at, rows[m]);
+    for (int m = 0; m < BLOCK; m++) store(Addresses(p.stress[0], 6, batch.i + m) + at, rows[m]);
   };
   if constexpr (D == 2)
     store_columns(0, state.S(0, 0), state.S(1, 1), state.Szz, state.S(0, 1));

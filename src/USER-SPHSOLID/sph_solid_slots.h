@@ -98,8 +98,10 @@ template <int LANES> struct SlotsOf {
   std::vector<int> first;         // slot of each block, and one behind the last
   std::vector<int> near_first;    // the same if there were only slots with nearest partners
   std::vector<int> further;
-  std::vector<char> foremost;    // of slots that read nearly the same columns, the last one
-  std::vector<int> gathered;     // LANES columns each
+  // of slots that read nearly the same columns, the last one: not 0 but how far its first column is from the
+  // end of the chunk, 255 at most
+  std::vector<unsigned char> foremost;
+  std::vector<int> gathered;    // LANES columns each
   std::vector<int> count;        // partners of each column
 
   // LANES of each slot.  In single precision, so that rounding does not tell pairs of a lattice

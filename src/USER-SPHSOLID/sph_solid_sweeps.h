@@ -92,7 +92,8 @@ struct Overload {
   double value = 0.0;
 };
 
-// LAMMPS's arrays of own and ghost particles, valid for one evaluation
+// LAMMPS's arrays of own and ghost particles, valid for one evaluation.  Rows of own ones lie one after the
+// other from row 0 on: who reads the place of each from x, v, f and stress reads 8 bytes more
 
 struct Particles {
   int nlocal, nall;
