@@ -157,6 +157,11 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
   }
   bool ask_points_ahead(const Particles &, int block, const Batch &, int first, int end) const;
+  // of what particles have, for the block after the next one
+  void ask_for(const double *array, const Batch &batch) const
+  {
+    if (asks_ahead) prefetch(array + batch.i[0] + 2 * LANES, LANES);
+  }
 
   // a sweep's view of the columns that slots of a block read, which lie so far `further` (sph_solid_slots.h).
   // Of gathered ones there are components [first, end) and [second, second_end), MOST of them.  Where
@@ -184,7 +189,9 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     void ask_behind(int further) const
     {
       if (!of.asks_ahead || further >= GATHERED) return;
-      const Number *at = i + further + AHEAD;
+      const Number *at = i + further;
+      const bool leaves = Columns::left_of_chunk(of.columns.column(at)) <= AHEAD;
+      at += AHEAD + (leaves ? of.columns.skipped() : 0);
       prefetch_components(at, first, end);
       prefetch_components(at, second, second_end);
     }

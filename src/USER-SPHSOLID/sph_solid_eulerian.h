@@ -78,7 +78,7 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
       typename Base::Pack, typename Base::Parts, typename Base::Place, typename Base::Ruler,
       typename Base::Sent, typename Base::Single, typename Base::Tensors, typename Base::Totals;
   using Bits = typename Precision::Bits;
-  using Base::blocks, Base::column_of, Base::columns, Base::component, Base::each_block,
+  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component, Base::each_block,
       Base::end_of_columns, Base::end_of_own, Base::image_first, Base::image_j, Base::images,
       Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::motion,
       Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt, Base::own,
@@ -202,6 +202,16 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
   template <bool UNIFORM> Pack near_of(const Number *i) const
   {
     return UNIFORM ? Pack(common_near) : component(i, at_near);
+  }
+
+  // ask for where the slots of the block after the next one are; how much further on kernel gradients of the next
+  // one are, of which each slot asks for one
+  std::ptrdiff_t ask_pairs_ahead(int block) const
+  {
+    if (!asks_ahead) return 0;
+    if (block + 2 < blocks())
+      prefetch(pairs.further.data() + pairs.first[block + 2], pairs.count[block + 2] + 15);
+    return pairs.count[block] * std::ptrdiff_t(LANES);
   }
 
   // force

@@ -36,6 +36,7 @@ void EulerianSweeps<D, Precision>::heat(const Particles &p, const NeighborRows &
     with_flag(opt.tensile, [&](auto tensile) {
       totals = each_block([&](int block, const Batch &batch, Totals &t) {
         const Pack mass = batch.load(p.mass);
+        if (!heat) this->ask_for(p.e, batch);
         Pack stress = 0.0, viscous = 0.0;
         add_power<decltype(pull)::value, decltype(tensile)::value>(block, stress, viscous);
         viscous *= 0.5 * unit_factor * mass;
@@ -71,11 +72,13 @@ void EulerianSweeps<D, Precision>::add_power(int block, Pack &stress, Pack &visc
   const Number *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   Neighbors neighbors(*this, block, X, V + D, K, PULL ? FIXED : K + 1);
   neighbors.ask_ahead(further, count);
+  const std::ptrdiff_t next = ask_pairs_ahead(block);
   const Motion own(*this, i);
   TensorSums<D, Pack> moved, crowded;
   Pack pulled = 0.0;
   for (int s = 0; s < count; s++) {
     const Number *j = neighbors(further[s]);
+    prefetch(factors + s * LANES + next, LANES);
     const Parts d = own.from(j);
     const Pack KF = Precision::load(factors + s * LANES) * component(j, K);
     Pack g[D];

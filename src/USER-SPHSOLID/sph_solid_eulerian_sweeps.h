@@ -77,6 +77,12 @@ void EulerianSweeps<D, Precision>::find_pairs(int block, Finding &found)
   const int *further = candidates.further.data();
   Neighbors neighbors(*this, block, X, X + D, at_h, components());
   neighbors.ask_ahead(further + first, end - first);
+  if (asks_ahead && block + 2 < blocks()) {
+    const int from = candidates.first[block + 2], n = candidates.first[block + 3] - from;
+    prefetch(candidates.further.data() + from, n + 15);
+    prefetch(candidates.lanes.data() + from, n + 31);
+    prefetch(candidates.mirrored.data() + from, n + 63);
+  }
   const Pack own_near = near_of<UNIFORM>(i);
   auto range_of = [&](Pack h, Pack near_of_other) {
     const Pack range = maximum(Precision::SUPPORT * h, 0.5 * (own_near + near_of_other));
@@ -131,11 +137,13 @@ void EulerianSweeps<D, Precision>::find_factors(int block, Finding &found)
   float *factors = pairs.factor.data() + pairs.first[block] * std::size_t(LANES);
   float *to_q = found.q.data();
   const Number *distance2 = found.distance2.data(), *length = found.length.data();
+  const std::ptrdiff_t next = asks_ahead ? pairs.count[block] * LANES : 0;
   for (int k = 0; k < pairs.count[block] * LANES; k += LANES) {
     const Pack hinv = UNIFORM ? common_inverse : 1.0 / load(length + k);
     const Single q =
         square_root(rounded(maximum(load(distance2 + k) * (hinv * hinv), Pack(LEAST_Q2))));
     const Single scale = UNIFORM ? common_scale : rounded(per_unit * Kernel::gradient_scale(hinv));
+    prefetch(factors + k + next, LANES);
     store(factors + k, scale * Kernel::gradient_shape(q, 1.0 / q));
     store(to_q + k, q);
   }
@@ -199,7 +207,6 @@ template <int D, class Precision>
 int EulerianSweeps<D, Precision>::gradient(const Particles &p, const NeighborRows &, double dt)
 {
   std::atomic<int> bad(-1);
-  const NeighborRows list = own_list();
   auto of_share = [&](int first, int end) {
     Totals totals;
     Finding found(candidates, first, end, uniform);
@@ -210,7 +217,7 @@ int EulerianSweeps<D, Precision>::gradient(const Particles &p, const NeighborRow
       return accumulate<UNIFORM>(block, found);
     };
     for (int block = first; block < end; block++) {
-      const Batch batch(list, block * LANES);
+      const Batch batch = this->batch(block);
       Sums sums = uniform ? sums_of_block(block, std::true_type())
                           : sums_of_block(block, std::false_type());
       const int unphysical = update(p, block, batch, sums, dt, totals);
@@ -334,6 +341,7 @@ typename EulerianSweeps<D, Precision>::PairForces EulerianSweeps<D, Precision>::
   const int *further = pairs.further.data() + first;
   Neighbors neighbors(*this, block, 0, at_da, at_h, components());
   neighbors.ask_ahead(further, count);
+  const std::ptrdiff_t next = ask_pairs_ahead(block);
   const float *factors = pairs.factor.data() + first_pair;
   Number *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely,
@@ -352,6 +360,7 @@ typename EulerianSweeps<D, Precision>::PairForces EulerianSweeps<D, Precision>::
   for (int s = 0; s < count; s++) {
     const int k = s * LANES;
     const Number *j = neighbors(further[s]);
+    prefetch(factors + k + next, LANES);
     const Parts d = own.from(j);
     const Pack F = Precision::load(factors + k), h = mean_h<UNIFORM>(i, j), h2 = h * h;
     Pack fn = zero;
@@ -421,6 +430,7 @@ void EulerianSweeps<D, Precision>::add_forces_of_pairs(const Particles &p, int b
 {
   const bool viscous = FORM != PairForm::NONE, correct = viscous && needs_correction();
   const Number *i = columns.at(block * LANES);
+  this->ask_for(p.mass, batch);
   const Pack of_stress = unit_factor * component(i, K), of_mass = unit_factor * batch.load(p.mass);
   Pack f[D], acceleration[D];
   for (int a = 0; a < D; a++) {
