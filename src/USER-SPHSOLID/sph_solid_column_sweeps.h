@@ -484,8 +484,7 @@ typename ColumnSweeps<D, Precision>::Totals ColumnSweeps<D, Precision>::each_blo
       nthreads, blocks(), Totals(),
       [&](int first, int end) {
         Totals totals;
-        for (int block = first; block < end; block++)
-          call(block, batch(block), totals);
+        for (int block = first; block < end; block++) call(block, batch(block), totals);
         return totals;
       },
       Totals::add);
@@ -707,8 +706,7 @@ void ColumnSweeps<D, Precision>::add_forces(const Particles &p, const Batch &bat
     SPHSolid::Pack of_part[D];
     for (int a = 0; a < D; a++) of_part[a] = part_of<part()>(f[a]);
     const int *i = batch.i + part() * SPHSolid::LANES;
-    if (batch.consecutive)
-      return add_components<D>(p.f[0] + SPACE * std::ptrdiff_t(i[0]), of_part);
+    if (batch.consecutive) return add_components<D>(p.f[0] + SPACE * std::ptrdiff_t(i[0]), of_part);
     const int end = std::min(batch.template left<part()>(), SPHSolid::LANES);
     for (int m = 0; m < end; m++)
       for (int a = 0; a < D; a++) p.f[i[m]][a] += of_part[a][m];

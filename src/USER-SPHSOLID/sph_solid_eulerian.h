@@ -78,9 +78,9 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
       typename Base::Pack, typename Base::Parts, typename Base::Place, typename Base::Ruler,
       typename Base::Sent, typename Base::Single, typename Base::Tensors, typename Base::Totals;
   using Bits = typename Precision::Bits;
-  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component, Base::each_block,
-      Base::end_of_columns, Base::end_of_own, Base::image_first, Base::image_j, Base::images,
-      Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::motion,
+  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
+      Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first, Base::image_j,
+      Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::motion,
       Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt, Base::own,
       Base::own_list, Base::particles_of, Base::safe, Base::source_of, Base::SYMMETRIC,
       Base::tensor, Base::types, Base::unit_factor, Base::V, Base::X;
@@ -210,7 +210,7 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
   {
     if (!asks_ahead) return 0;
     if (block + 2 < blocks())
-      prefetch(pairs.further.data() + pairs.first[block + 2], pairs.count[block + 2] + 15);
+      prefetch_list(pairs.further.data() + pairs.first[block + 2], pairs.count[block + 2]);
     return pairs.count[block] * std::ptrdiff_t(LANES);
   }
 

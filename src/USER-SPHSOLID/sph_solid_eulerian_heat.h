@@ -28,7 +28,8 @@ namespace {
 ------------------------------------------------------------------------- */
 
 template <int D, class Precision>
-void EulerianSweeps<D, Precision>::heat(const Particles &p, const NeighborRows &, double, double *heat)
+void EulerianSweeps<D, Precision>::heat(const Particles &p, const NeighborRows &, double,
+                                        double *heat)
 {
   this->mirror_vectors(V);
   Totals totals;

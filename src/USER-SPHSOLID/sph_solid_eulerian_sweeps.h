@@ -79,9 +79,9 @@ void EulerianSweeps<D, Precision>::find_pairs(int block, Finding &found)
   neighbors.ask_ahead(further + first, end - first);
   if (asks_ahead && block + 2 < blocks()) {
     const int from = candidates.first[block + 2], n = candidates.first[block + 3] - from;
-    prefetch(candidates.further.data() + from, n + 15);
-    prefetch(candidates.lanes.data() + from, n + 31);
-    prefetch(candidates.mirrored.data() + from, n + 63);
+    prefetch_list(candidates.further.data() + from, n);
+    prefetch_list(candidates.lanes.data() + from, n);
+    prefetch_list(candidates.mirrored.data() + from, n);
   }
   const Pack own_near = near_of<UNIFORM>(i);
   auto range_of = [&](Pack h, Pack near_of_other) {

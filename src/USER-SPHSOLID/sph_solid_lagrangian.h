@@ -52,15 +52,6 @@
 #include "sph_solid_slots.h"
 
 #include <mutex>
-#ifndef GA
-#define GA 4
-#endif
-#ifndef FA
-#define FA 2
-#endif
-#ifndef CA
-#define CA 6
-#endif
 
 // of one source file, sph_solid_sweeps_lagrangian*.cpp.  That the compiler knows this is worth 5 %
 // of a step in two dimensions: it inlines what is called once
@@ -129,37 +120,32 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   int components() const { return at_rho + (this->unlike ? 1 : 0); }
   Sent sent() const override { return {T, LAST, at_da}; }
 
-  // components of a block: the viscous force that heats, before the correction the force that waits for it;
-  // the hourglass force; powers of stress and of pairs (sph_solid_lagrangian_heat.h)
-  class Accounts {
-   public:
-    int hourglass = 0, stress = 0, pairs = 0, size = 0;
+  // what an evaluation leaves of own particles for heat, side by side: sweeps follow one stream.  Components of a
+  // block: the viscous force that heats, before the correction all that waits for it; the hourglass
+  // force; powers of stress and of pairs (sph_solid_lagrangian_heat.h)
+  struct Accounts {
     static constexpr int VISCOUS = 0;
-    Number *at(int block, int component)
-    {
-      return &numbers[(block * std::size_t(size) + component) * LANES];
-    }
-    const Number *at(int block, int component) const
-    {
-      return &numbers[(block * std::size_t(size) + component) * LANES];
-    }
+    int hourglass = 0, stress = 0, pairs = 0, size = 0;
     Numbers numbers;
+    std::size_t place(int block, int component) const
+    {
+      return (block * std::size_t(size) + component) * LANES;
+    }
+    Number *at(int block, int component) { return &numbers[place(block, component)]; }
+    const Number *at(int block, int component) const { return &numbers[place(block, component)]; }
   };
+  Accounts accounts;
   void size_accounts();
 
-  static constexpr int GRADIENT_AHEAD = GA, FORCE_AHEAD = FA, CORRECTION_AHEAD = CA;
   using Slots = SlotsOf<LANES>;
   Slots slots;
   // of own particles: B on and above the diagonal, sum V0_j g_ij
   Numbers B, gradient_sum;
-  // of own: what one evaluation leaves for heat, side by side, so that sweeps follow one stream
-  Accounts accounts;
-  Numbers
-      heated_force;    // of own: viscous force that no correction touches, in scenes that have both
-  Numbers
-      power_then;    // of own: of forces on their velocities, before displacements take their place
-  bool velocities_known = false;
-  const double damping_unit;    // [pressure] the largest modulus of all materials
+  // of own: viscous force that no correction touches, in scenes that have both; power of forces on the
+  // velocities they come from, before displacements take their place
+  Numbers heated_force, power_then;
+  bool velocities_known = false;    // are they still in their place?
+  const double damping_unit;        // [pressure] the largest modulus of all materials
   Numbers central_forces;    // of slots, for a virial: central forces on i are V0_i times this x_ij
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
@@ -209,25 +195,27 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
       return View::operator()(further[slot]);
     }
     int column(int slot, int lane) const { return View::column(further[slot], lane); }
-    // ask for what a block so many columns further on will read of the columns that this slot reads
-    [[gnu::always_inline]] const Number *ahead(int slot, const Number *j, int columns) const
-    {
-      return j + columns + (foremost[slot] > columns ? 0 : skipped);
-    }
-    template <int END> void prefetch_ahead(int slot, const Number *j, int columns) const
+    // ask for components [0, END), or for two vectors, that a block so many BLOCKS further on will read where
+    // this slot reads them
+    template <int BLOCKS, int END> void prefetch_ahead(int slot, const Number *j) const
     {
       if (foremost[slot])
-        Base::prefetch_components(ahead(slot, j, columns), std::make_integer_sequence<int, END>());
+        Base::prefetch_components(ahead<BLOCKS>(slot, j), std::make_integer_sequence<int, END>());
     }
-    void prefetch_ahead(int slot, const Number *j, int columns, int first, int second) const
+    template <int BLOCKS>
+    void prefetch_vectors_ahead(int slot, const Number *j, int first, int second) const
     {
       if (!foremost[slot]) return;
-      const Number *at = ahead(slot, j, columns);
-      for (int a = 0; a < D; a++) prefetch(at + (first + a) * NEXT, 1);
-      for (int a = 0; a < D; a++) prefetch(at + (second + a) * NEXT, 1);
+      const Number *at = ahead<BLOCKS>(slot, j);
+      Base::prefetch_components(at, first, first + D);
+      Base::prefetch_components(at, second, second + D);
     }
 
    private:
+    template <int BLOCKS> const Number *ahead(int slot, const Number *j) const
+    {
+      return j + BLOCKS * LANES + (foremost[slot] > BLOCKS * LANES ? 0 : skipped);
+    }
     const int *const further;
     const unsigned char *const foremost;
     const std::ptrdiff_t skipped;
@@ -264,13 +252,21 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
       store(to + a * LANES, v[a]);
     });
   }
-  // what the gradient sweep reads of a block's own
-  void ask_own_ahead(int block) const
+  // ask for what sweeps read of the block after the next one: accounts; the lists of its slots.  The processor
+  // follows fewer streams than there are, and each to the end of a page
+  bool asks_for_block(int block) const { return asks_ahead && block + 2 < blocks(); }
+  void ask_for_accounts(int block) const
   {
-    prefetch(correction_of(block), SYMMETRIC * LANES);
-    prefetch(accounts.numbers.data() + accounts.size * std::size_t(block) * LANES,
-             accounts.size * LANES);
+    prefetch(accounts.numbers.data() + accounts.place(block + 2, 0), accounts.size * LANES);
   }
+  void ask_for_slots(int block) const
+  {
+    const int first = slots.first[block + 2], n = slots.first[block + 3] - first;
+    slots.constants.ask(first, n);
+    prefetch_list(slots.further.data() + first, n);
+    prefetch_list(slots.foremost.data() + first, n);
+  }
+  void ask_for_force(const Particles &, int block, const Batch &) const;
   Tensors load_correction(int block) const
   {
     Tensors t;

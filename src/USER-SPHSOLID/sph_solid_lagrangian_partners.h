@@ -322,9 +322,8 @@ template <int D, class Precision> struct LagrangianSweeps<D, Precision>::Arrangi
     unsigned char *foremost = slots.foremost.data() + slots.first[block];
     for (std::size_t k = 0; k < offsets.size(); k++) {
       const int column = block * LANES + offsets[k];
-      foremost[k] = of.asks_ahead && offsets[k] > LANES
-          ? std::min(of.columns.left_of_chunk(column), 255)
-          : 0;
+      foremost[k] =
+          of.asks_ahead && offsets[k] > LANES ? std::min(of.columns.left_of_chunk(column), 255) : 0;
       for (const int other : offsets)
         if (other > offsets[k] && other <= offsets[k] + LANES) foremost[k] = 0;
     }

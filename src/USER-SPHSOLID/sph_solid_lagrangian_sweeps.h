@@ -42,18 +42,13 @@ LagrangianSweeps<D, Precision>::accumulate(int block) const
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
-  if (asks_ahead && block + 2 < blocks()) {
-    const int next = slots.first[block + 2], n = slots.first[block + 3] - next;
-    constants.ask(next - first, n + 15);
-    prefetch(slots.further.data() + next, n + 15);
-    prefetch(slots.foremost.data() + next, n + 63);
-  }
+  if (asks_for_block(block)) ask_for_slots(block);
   TensorSums<D, Pack> displaced, velocity;
   const Motion own(*this, i);
   Neighbors neighbors(*this, block, T);
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
-    neighbors.template prefetch_ahead<T>(s, j, GRADIENT_AHEAD * LANES);
+    neighbors.template prefetch_ahead<4, T>(s, j);
     const Parts d = own.from(j);
     Pack u[D], g[D];
     displacement(i, j, d.x, -factor(constants.of(s - first), j), u, g);
@@ -93,7 +88,10 @@ template <bool LATE>
 int LagrangianSweeps<D, Precision>::update(const Particles &p, int block, const Batch &batch,
                                            double dt, Totals &totals)
 {
-  if (Base::ask_points_ahead(p, block, batch, T, at_da)) ask_own_ahead(block + 2);
+  if (Base::ask_points_ahead(p, block, batch, T, at_da)) {
+    prefetch(correction_of(block + 2), SYMMETRIC * LANES);
+    ask_for_accounts(block);
+  }
   Sums sums = accumulate(block);
   if (batch.n < LANES) repeat_last(sums, batch.n);
   const Tensors correction = load_correction(block);
@@ -167,6 +165,19 @@ void LagrangianSweeps<D, Precision>::force_each(const Particles &p)
   Totals::add(early_totals, totals);
 }
 
+// what it reads and writes of the block after the next one
+
+template <int D, class Precision>
+void LagrangianSweeps<D, Precision>::ask_for_force(const Particles &p, int block,
+                                                   const Batch &batch) const
+{
+  ask_for_slots(block);
+  ask_for_accounts(block);
+  prefetch(&gradient_sum[vector_at(block + 2)], D * LANES);
+  Base::prefetch_components(columns.at((block + 2) * LANES), at_da, at_rho);
+  Base::ask_for(p.mass, batch);
+}
+
 // f_i = V0_i sum_j V0_j [(T_i + T_j) g_ij - Pi_ij G_ij x_ij] + hourglass; T_i sum V0_j g_ij, which is
 // constant, comes last.
 // viscosity: central, Pi = rho0 mu (a2 mu - a1 c) with eq. 24's mu at the
@@ -186,21 +197,10 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
 {
   constexpr bool VISCOUS = FORM != PairForm::NONE, BOTH = needs_rates(FORM),
                  RATES = BOTH || HOURGLASS;
-  if (asks_ahead && block + 2 < blocks()) {
-    prefetch(&gradient_sum[vector_at(block + 2)], D * LANES);
-    if (accounts.size) prefetch(accounts.at(block + 2, 0), accounts.size * LANES);
-    for (int a = 0; a < D; a++) prefetch(columns.at((block + 2) * LANES) + (at_da + a) * NEXT, LANES);
-    prefetch(p.mass + std::min(batch.i[0] + 2 * LANES, p.nlocal - 1), LANES);
-  }
+  if (asks_for_block(block)) ask_for_force(p, block, batch);
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
-  if (asks_ahead && block + 2 < blocks()) {
-    const int next = slots.first[block + 2], n = slots.first[block + 3] - next;
-    constants.ask(next - first, n + 15);
-    prefetch(slots.further.data() + next, n + 15);
-    prefetch(slots.foremost.data() + next, n + 63);
-  }
   Number *const of_virial = this->wants_virial ? central_forces.data() : nullptr;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double minus_a1 = -0.25 * opt.a1, a2 = 0.5 * opt.a2;    // of the sums of both particles
@@ -223,7 +223,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   for (int s = first; s < end; s++) {
     const std::ptrdiff_t k = s * std::ptrdiff_t(LANES);
     const Number *j = neighbors(s);
-    neighbors.template prefetch_ahead<at_rate + (RATES ? SYMMETRIC : 0)>(s, j, FORCE_AHEAD * LANES);
+    neighbors.template prefetch_ahead<2, at_rate + (RATES ? SYMMETRIC : 0)>(s, j);
     const float *constant = constants.of(s - first);
     const Pack kernel = Precision::load(constant + Slots::FACTOR), weight = component(j, WEIGHT),
                F = kernel * weight;
@@ -314,7 +314,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
   if (!(VISCOUS || HOURGLASS) || !opt.energy) return;
 
-  // for heat
+  // for heat, see sph_solid_lagrangian_heat.h
   const Pack viscous_heat = 0.5 * V0 * viscous_power,
              hourglass_heat = (-0.5 * damping_unit) * V0 * hourglass_power;
   Pack own_power = zero;

@@ -65,9 +65,9 @@ template <bool HEATS>
 void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block,
                                                    const Batch &batch, Totals &totals)
 {
-  if (asks_ahead && block + 2 < blocks()) {
-    prefetch(accounts.at(block + 2, 0), accounts.size * LANES);
-    prefetch(p.mass + std::min(batch.i[0] + 4 * LANES, p.nlocal - 1), LANES);
+  if (asks_for_block(block)) {
+    ask_for_accounts(block);
+    Base::ask_for(p.mass, batch);
   }
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = first + slots.nearest(block);
@@ -83,7 +83,7 @@ void LagrangianSweeps<D, Precision>::correct_block(const Particles &p, int block
   Neighbors neighbors(*this, block, T, at_da);
   for (int s = first; s < end; s++) {
     const Number *j = neighbors(s);
-    neighbors.prefetch_ahead(s, j, CORRECTION_AHEAD * LANES, at_da, V);
+    neighbors.template prefetch_vectors_ahead<6>(s, j, V, at_da);
     const Pack w = load(near.of(s - first));
     Pack along[D], heat = 0.0;
     of_pair.from(j, along);

@@ -71,9 +71,10 @@ template <class Number, int N> class SharedVectors {
     const int *entry;
     const Number *data;
     const Number *of(std::ptrdiff_t k) const { return data + entry[k] * std::ptrdiff_t(N); }
-    void ask(std::ptrdiff_t first, int n) const { prefetch(entry + first, n); }
   };
   Run from(std::size_t first) const { return {entry.data() + first, data.data()}; }
+  // for where n of them are
+  void ask(std::size_t first, int n) const { prefetch_list(entry.data() + first, n); }
   double memory_usage() const
   {
     return static_cast<double>(entry.capacity() * sizeof(int) + data.capacity() * sizeof(Number));

@@ -102,7 +102,7 @@ template <int LANES> struct SlotsOf {
   // end of the chunk, 255 at most
   std::vector<unsigned char> foremost;
   std::vector<int> gathered;    // LANES columns each
-  std::vector<int> count;        // partners of each column
+  std::vector<int> count;       // partners of each column
 
   // LANES of each slot.  In single precision, so that rounding does not tell pairs of a lattice
   // apart.  They are the same seen from i and from j, and if all that follows from them is computed in

@@ -38,6 +38,13 @@ template <class T> inline void prefetch(const T *from, int n)
 #endif
 }
 
+// the same of n that begin anywhere in a cache line
+
+template <class T> inline void prefetch_list(const T *from, int n)
+{
+  prefetch(from, n + static_cast<int>(64 / sizeof(T)) - 1);
+}
+
 // arrays of rows that begin on a cache line
 
 template <class T> struct CacheAligned {
