@@ -80,6 +80,7 @@ class Cloud {
   Options opt;
   Material material = test_iron();
   int dim, nthreads = 1, shuffle = 0;    // shuffle: seed of the order of neighbors
+  bool wants_virial = true;
   double spacing = 1.0;
   std::vector<Plane> planes;
   std::vector<Vector3d> x, v;
@@ -228,6 +229,7 @@ class Cloud {
           {other_material ? *other_material : material, other_h > 0.0 ? other_h : opt.h, spacing});
     sweeps = Sweeps::create(dim, opt, types);
     sweeps->nthreads = nthreads;
+    sweeps->wants_virial = wants_virial;
     sweeps->images.set_planes(planes);
     const Particles p = particles();
     Likeness likeness;

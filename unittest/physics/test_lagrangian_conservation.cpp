@@ -123,6 +123,27 @@ TEST_P(Lagrangian, Virial)
   EXPECT_LT(virial_error(c), 1e-13);
 }
 
+// who does not ask for a virial has the same forces and heat, and pays no memory for those of pairs
+
+TEST_P(Lagrangian, ForcesOfPairsAreKeptForAVirialOnly)
+{
+  Cloud with = cloud(8), without = cloud(8);
+  without.wants_virial = false;
+  with.evaluate();
+  without.evaluate();
+  EXPECT_EQ(forces(with), forces(without));
+  EXPECT_EQ(with.heat(with.v), without.heat(without.v));
+  int pairs = 0;
+  for (int i = 0; i < with.size(); i++) pairs += with.sweeps->neighbor_count(i);
+  const double more = with.sweeps->memory_usage() - without.sweeps->memory_usage();
+  const Viscosity viscosity = with.opt.viscosity;
+  if (with.opt.hourglass > 0.0 ||
+      !(viscosity == Viscosity::NONE || viscosity == Viscosity::CORRECT))
+    EXPECT_GE(more, pairs * sizeof(double));
+  else
+    EXPECT_EQ(more, 0.0);
+}
+
 // a body that somebody has turned: the same forces, turned; the same density
 
 TEST_P(Lagrangian, TurnedBody)
