@@ -146,7 +146,8 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   Numbers heated_force, power_then;
   bool velocities_known = false;    // are they still in their place?
   const double damping_unit;        // [pressure] the largest modulus of all materials
-  Numbers central_forces;    // of slots, for a virial: central forces on i are V0_i times this x_ij
+  Numbers
+      central_virial;    // of own: what central forces add to a virial, on and above the diagonal
   // of slots with nearest partners: m_j Wbar_ij, once n is known the weights; with weights safe
   // the force on i is m_i/2 near_pull x_ij, and pulls, which are not shared, are in order 0, 1, ...
   using NearWeights = SharedVectors<Number, LANES>;
@@ -287,6 +288,12 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
     return near_weight.from(first);
   }
   bool dissipates() const { return opt.hourglass > 0.0 || opt.viscosity != Viscosity::NONE; }
+  // pull x (x) x of a pair
+  [[gnu::always_inline]] static void add_central(Pack *sum, Pack pull, const Pack *x)
+  {
+    for (int a = 0; a < D; a++)
+      for (int b = a; b < D; b++, sum++) *sum += pull * x[a] * x[b];
+  }
   bool keeps_central() const { return opt.hourglass > 0.0 || keeps_pairs(); }
   Pack power_of(const Number *force, int block) const;
   Pack power_of_forces(int block, const Batch &, Pack mass, Totals &) const;

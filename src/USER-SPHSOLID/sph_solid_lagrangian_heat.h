@@ -180,7 +180,7 @@ LagrangianSweeps<D, Precision>::uneven_heat(int block, Pack mass) const
 }
 
 /* ----------------------------------------------------------------------
-   virial: of a block sum f_ij (x) x_ij
+   virial: of a block sum f_ij (x) x_ij.  Central forces have added theirs while they were found
 ------------------------------------------------------------------------- */
 
 template <int D, class Precision>
@@ -197,18 +197,16 @@ LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block,
   const Places own_reference(*this, i, REFERENCE);
   Neighbors neighbors(*this, block, at_da, at_da);
   for (int s = slots.first[block]; s < slots.first[block + 1]; s++) {
-    const std::size_t k = s * std::size_t(LANES);
     const int n = s - slots.first[block];
     const Number *j = neighbors(s);
     const Parts d = own.from(j);
     Pack reference[D], f[D];
-    const Pack central = keeps_central() ? load(&central_forces[k]) : Pack(0.0);
     own_reference.apart(j, REFERENCE, reference);
     for (int a = 0; a < D; a++) {
       Pack t = 0.0;
       for (int b = 0; b < D; b++)
         t += (component(i, T + D * a + b) + component(j, T + D * a + b)) * reference[b];
-      f[a] = V0 * (factor(s, j) * t + central * d.x[a]);
+      f[a] = V0 * (factor(s, j) * t);
     }
     if (n < slots.nearest(block)) {
       Pack along[D];
@@ -217,7 +215,15 @@ LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block,
     }
     sum.add(f, d.x);
   }
-  return sum.tensor();
+  Tensors all = sum.tensor();
+  if (!keeps_central()) return all;
+  const Number *central = &central_virial[block * SYMMETRIC * std::size_t(LANES)];
+  for (int a = 0; a < D; a++)
+    for (int b = a; b < D; b++, central += LANES) {
+      all(a, b) += load(central);
+      if (b != a) all(b, a) += load(central);
+    }
+  return all;
 }
 
 }    // namespace

@@ -490,7 +490,6 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::size_stor
     near_in_order.resize(slots.near_first.back());
     std::iota(near_in_order.begin(), near_in_order.end(), 0);
   }
-  central_forces.clear();
   B.resize(static_cast<std::size_t>(end_of_own) * SYMMETRIC);
   gradient_sum.assign(static_cast<std::size_t>(end_of_own) * D, 0.0);
   if (this->limits_step) mu_max.assign(end_of_own, 0.0);
@@ -517,7 +516,7 @@ template <int D, class Precision> double LagrangianSweeps<D, Precision>::memory_
 {
   double bytes = columns.memory_usage() + slots.memory_usage() + near_weight.memory_usage();
   for (const Numbers *rows : {&B, &gradient_sum, &accounts.numbers, &heated_force, &power_then,
-                              &central_forces, &near_pull, &mu_max})
+                              &central_virial, &near_pull, &mu_max})
     bytes += static_cast<double>(rows->capacity() * sizeof(Number));
   return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
 }

@@ -62,7 +62,7 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::mirror_st
   // as long as weights are known, so is this
   if (needs_correction() && !weights_known) Base::find_lonely();
   // not sooner, when lists of partners take room as well
-  if (this->wants_virial && keeps_central()) central_forces.resize(slots.pairs());
+  if (this->wants_virial && keeps_central()) central_virial.resize(B.size());
   if (opt.energy && needs_correction() && keeps_pairs()) heated_force.resize(gradient_sum.size());
 }
 
