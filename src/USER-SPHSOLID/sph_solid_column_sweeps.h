@@ -156,6 +156,8 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
   {
     for (int c = first; c < end; c++) prefetch(at + c * NEXT, 1);
   }
+  // is what sweeps read of the block after the next one to be asked for?
+  bool asks_for_block(int block) const { return asks_ahead && block + 2 < blocks(); }
   bool ask_points_ahead(const Particles &, int block, const Batch &, int first, int end) const;
   // of what particles have, for the block after the next one
   void ask_for(const double *array, const Batch &batch) const
@@ -498,8 +500,7 @@ bool ColumnSweeps<D, Precision>::ask_points_ahead(const Particles &p, int block,
                                                   int first, int end) const
 {
   const int next = batch.i[0] + 2 * LANES;
-  if (!asks_ahead || !batch.consecutive || block + 3 > blocks() || next + LANES > p.nlocal)
-    return false;
+  if (!asks_for_block(block) || !batch.consecutive || next + LANES > p.nlocal) return false;
   Base::prefetch_state(p, next, LANES);
   prefetch_components(columns.at((block + 2) * LANES), first, end);
   return true;

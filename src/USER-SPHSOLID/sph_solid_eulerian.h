@@ -78,12 +78,12 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
       typename Base::Pack, typename Base::Parts, typename Base::Place, typename Base::Ruler,
       typename Base::Sent, typename Base::Single, typename Base::Tensors, typename Base::Totals;
   using Bits = typename Precision::Bits;
-  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
-      Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first, Base::image_j,
-      Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::motion,
-      Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt, Base::own,
-      Base::own_list, Base::particles_of, Base::safe, Base::source_of, Base::SYMMETRIC,
-      Base::tensor, Base::types, Base::unit_factor, Base::V, Base::X;
+  using Base::asks_ahead, Base::asks_for_block, Base::blocks, Base::column_of, Base::columns,
+      Base::component, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
+      Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely,
+      Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt,
+      Base::own, Base::particles_of, Base::safe, Base::source_of, Base::SYMMETRIC, Base::tensor,
+      Base::types, Base::unit_factor, Base::V, Base::X;
 
   // components of a column behind positions and velocities: V/h0^(D+2), this step's; mass; what
   // ghosts are sent, from the constitutive update: T and K, where the force on i from j is
@@ -204,14 +204,16 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
     return UNIFORM ? Pack(common_near) : component(i, at_near);
   }
 
-  // ask for where the slots of the block after the next one are; how much further on kernel gradients of the next
-  // one are, of which each slot asks for one
-  std::ptrdiff_t ask_pairs_ahead(int block) const
+  // how much further on the next block's kernel gradients are, of which each slot asks for one
+  std::ptrdiff_t kernel_gradients_ahead(int block) const
   {
-    if (!asks_ahead) return 0;
-    if (block + 2 < blocks())
+    return asks_ahead ? pairs.count[block] * std::ptrdiff_t(LANES) : 0;
+  }
+  // where the slots of the block after the next one are
+  void ask_for_slots(int block) const
+  {
+    if (asks_for_block(block))
       prefetch_list(pairs.further.data() + pairs.first[block + 2], pairs.count[block + 2]);
-    return pairs.count[block] * std::ptrdiff_t(LANES);
   }
 
   // force

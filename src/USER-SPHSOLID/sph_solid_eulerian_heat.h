@@ -73,7 +73,8 @@ void EulerianSweeps<D, Precision>::add_power(int block, Pack &stress, Pack &visc
   const Number *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   Neighbors neighbors(*this, block, X, V + D, K, PULL ? FIXED : K + 1);
   neighbors.ask_ahead(further, count);
-  const std::ptrdiff_t next = ask_pairs_ahead(block);
+  ask_for_slots(block);
+  const std::ptrdiff_t next = kernel_gradients_ahead(block);
   const Motion own(*this, i);
   TensorSums<D, Pack> moved, crowded;
   Pack pulled = 0.0;

@@ -65,11 +65,10 @@ template <int D, class Precision> void EulerianSweeps<D, Precision>::mirror_stre
 template <int D, class Precision>
 double EulerianSweeps<D, Precision>::time_step_limit(const Particles &p, const NeighborRows &) const
 {
-  const NeighborRows list = own_list();
   return Base::least_of(blocks(), NO_LIMIT, [&](int first, int end) {
     double limit = NO_LIMIT;
     for (int block = first; block < end; block++) {
-      const Batch batch(list, block * LANES);
+      const Batch batch = this->batch(block);
       const Number *i = columns.at(block * LANES);
       limit = std::min(limit,
                        least(Base::step_limit(Base::smoothing_lengths(p, batch),

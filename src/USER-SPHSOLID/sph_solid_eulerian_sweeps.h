@@ -77,7 +77,7 @@ void EulerianSweeps<D, Precision>::find_pairs(int block, Finding &found)
   const int *further = candidates.further.data();
   Neighbors neighbors(*this, block, X, X + D, at_h, components());
   neighbors.ask_ahead(further + first, end - first);
-  if (asks_ahead && block + 2 < blocks()) {
+  if (asks_for_block(block)) {
     const int from = candidates.first[block + 2], n = candidates.first[block + 3] - from;
     prefetch_list(candidates.further.data() + from, n);
     prefetch_list(candidates.lanes.data() + from, n);
@@ -137,7 +137,7 @@ void EulerianSweeps<D, Precision>::find_factors(int block, Finding &found)
   float *factors = pairs.factor.data() + pairs.first[block] * std::size_t(LANES);
   float *to_q = found.q.data();
   const Number *distance2 = found.distance2.data(), *length = found.length.data();
-  const std::ptrdiff_t next = asks_ahead ? pairs.count[block] * LANES : 0;
+  const std::ptrdiff_t next = kernel_gradients_ahead(block);
   for (int k = 0; k < pairs.count[block] * LANES; k += LANES) {
     const Pack hinv = UNIFORM ? common_inverse : 1.0 / load(length + k);
     const Single q =
@@ -341,7 +341,8 @@ typename EulerianSweeps<D, Precision>::PairForces EulerianSweeps<D, Precision>::
   const int *further = pairs.further.data() + first;
   Neighbors neighbors(*this, block, 0, at_da, at_h, components());
   neighbors.ask_ahead(further, count);
-  const std::ptrdiff_t next = ask_pairs_ahead(block);
+  ask_for_slots(block);
+  const std::ptrdiff_t next = kernel_gradients_ahead(block);
   const float *factors = pairs.factor.data() + first_pair;
   Number *pulls = pairs.pull.data() + first_pair, *crowds = pairs.crowd.data() + first_pair;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely,

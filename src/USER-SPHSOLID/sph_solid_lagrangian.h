@@ -93,17 +93,17 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
 
  private:
   using Base = ColumnSweeps<D, Precision>;
-  using Base::asks_ahead, Base::blocks, Base::column_of, Base::columns, Base::component,
-      Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
-      Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely,
-      Base::mirror_vectors, Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles,
-      Base::nthreads, Base::opt, Base::own, Base::own_list, Base::particles_of, Base::repeat_last,
+  using Base::asks_ahead, Base::asks_for_block, Base::blocks, Base::column_of, Base::columns,
+      Base::component, Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own,
+      Base::image_first, Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load,
+      Base::lonely, Base::mirror_vectors, Base::motion, Base::needs_correction, Base::NEXT,
+      Base::nparticles, Base::nthreads, Base::opt, Base::own, Base::particles_of, Base::repeat_last,
       Base::ruler, Base::safe, Base::source_of, Base::standard_power, Base::store_tensor,
       Base::stretching, Base::SYMMETRIC, Base::tensor, Base::types, Base::unit_factor, Base::V,
       Base::with_rows, Base::X;
   using typename Base::Batch, typename Base::Motion, typename Base::Number, typename Base::Numbers,
       typename Base::Pack, typename Base::Parts, typename Base::Places, typename Base::Sent,
-      typename Base::Single, typename Base::Tensors, typename Base::Totals;
+      typename Base::Tensors, typename Base::Totals;
 
   // components of a column behind positions and velocities: positions in the reference,
   // V0/h0^(D+2); what ghosts are sent, most of it from the constitutive update: sigma C,
@@ -255,7 +255,6 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   }
   // ask for what sweeps read of the block after the next one: accounts; the lists of its slots.  The processor
   // follows fewer streams than there are, and each to the end of a page
-  bool asks_for_block(int block) const { return asks_ahead && block + 2 < blocks(); }
   void ask_for_accounts(int block) const
   {
     prefetch(accounts.numbers.data() + accounts.place(block + 2, 0), accounts.size * LANES);

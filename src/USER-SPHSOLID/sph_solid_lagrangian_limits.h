@@ -78,7 +78,6 @@ LagrangianSweeps<D, Precision>::scaled_time_step_limit(const Particles &p,
 template <int D, class Precision>
 double LagrangianSweeps<D, Precision>::least_limit(const Particles &p, const double *factors) const
 {
-  const NeighborRows list = own_list();
   auto stretched = [](auto s) {
     using Real = decltype(s);
     return minimum(Real(1.0), maximum(Real(STEP_STRETCH), s));
@@ -92,7 +91,7 @@ double LagrangianSweeps<D, Precision>::least_limit(const Particles &p, const dou
   return Base::least_of(blocks(), NO_LIMIT, [&](int first, int end) {
     double limit = NO_LIMIT;
     for (int block = first; block < end; block++) {
-      const Batch batch(list, block * LANES);
+      const Batch batch = this->batch(block);
       const Number *i = columns.at(block * LANES);
       const Tensors Fi = deformation(block);
       Pack unstretched =

@@ -134,12 +134,6 @@ struct Ledger {
   double hourglass = 0.0;       // heat of the hourglass damping
 };
 
-// Heat on the way.  The work of the pair forces of an evaluation on the kick from v to v' is
-// that on the displacements factor (v + v'), factor = (dt1 + dt2)/4 with the steps before and
-// after.  It is linear in velocities: the sweeps that find the forces find the share of v, and
-// the gradient sweep of the next evaluation, which reads v' anyway, the share of v'.  Where
-// kernel gradients are constant that takes no sweep of its own
-
 // displacements v_scale v + a_scale f/m; without a force of those that are not kicked
 
 struct Kick {
@@ -166,10 +160,16 @@ class Sweeps {
   Images images;
   int nthreads = 1;
   Ledger ledger;
-  double due = 0.0;    // factor for the next gradient sweep, which adds to p.e and clears it [time]
   bool limits_step = true;    // will time_step_limit() be asked for?
+
+  // Heat on the way.  The work of the pair forces of an evaluation on the kick from v to v' is
+  // that on the displacements due (v + v'), due = (dt1 + dt2)/4 with the steps before and
+  // after.  It is linear in velocities: the sweeps that find the forces find the share of v, and
+  // the gradient sweep of the next evaluation, which reads v' anyway, the share of v'.  Where
+  // kernel gradients are constant that takes no sweep of its own
   bool keeps_heat = false;    // the share of v is to be found: only where can_keep_heat()
-  bool unlike = false;        // lagrangian: do materials differ (Likeness)?  Before new_neighbors()
+  double due = 0.0;    // 0: nothing is; the next gradient sweep adds it to p.e and clears it [time]
+  bool unlike = false;    // lagrangian: do materials differ (Likeness)?  Before new_neighbors()
   bool wants_virial = true;    // will virial() be called for the forces to come?
 
   // neighbor lists are new: find images, size the storage.  reach: largest
