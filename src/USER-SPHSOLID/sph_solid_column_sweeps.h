@@ -138,6 +138,12 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     columns.resize(end_of_columns, components, rows);
     asks_ahead = columns.memory_usage() > IN_CACHE;
   }
+  // of the columns and their numbers [bytes]
+  double memory_of_columns() const
+  {
+    const std::size_t ints = own.capacity() + column_of.capacity() + first_of_run.capacity();
+    return columns.memory_usage() + static_cast<double>(ints * sizeof(int));
+  }
 
   // room for so many components of gathered neighbors, as far apart as in columns.  No more than
   // there can be: a stack is touched page by page before it is used
@@ -165,58 +171,7 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     if (asks_ahead) prefetch(array + batch.i[0] + 2 * LANES, LANES);
   }
 
-  // a sweep's view of the columns that slots of a block read, which lie so far `further` (sph_solid_slots.h).
-  // Of gathered ones there are components [first, end) and [second, second_end), MOST of them.  Where
-  // they are is not read again after stores, which a compiler would do for members of the sweeps
-  template <int MOST> class SlotColumns {
-   public:
-    SlotColumns(const ColumnSweeps &s, const std::vector<int> &columns_of_gathered, int block,
-                int from, int to, int from2, int to2) :
-        of(s),
-        gathered_columns(columns_of_gathered.data()), i(s.columns.at(block * LANES)), first(from),
-        end(to), second(from2), second_end(to2)
-    {
-    }
-    [[gnu::always_inline]] const Number *operator()(int further)
-    {
-      return further < GATHERED ? i + further : gathered(of_gathered(further));
-    }
-    // of a lane's neighbor
-    int column(int further, int lane) const
-    {
-      if (further >= GATHERED) return of_gathered(further)[lane];
-      return of.columns.column(i + further) + lane;
-    }
-    // ask for what the blocks to come read first, if this is a block's last slot: it lies behind
-    void ask_behind(int further) const
-    {
-      if (!of.asks_ahead || further >= GATHERED) return;
-      const Number *at = i + further;
-      const bool leaves = Columns::left_of_chunk(of.columns.column(at)) <= AHEAD;
-      at += AHEAD + (leaves ? of.columns.skipped() : 0);
-      prefetch_components(at, first, end);
-      prefetch_components(at, second, second_end);
-    }
-
-   private:
-    const ColumnSweeps &of;
-    const int *const gathered_columns;
-    const Number *const i;
-    const int first, end, second, second_end;
-    Scratch<MOST> scratch;
-
-    const int *of_gathered(int further) const
-    {
-      return gathered_columns + std::size_t(further - GATHERED) * LANES;
-    }
-    // not inlined: a loop over other slots has registers for what it needs then
-    [[gnu::noinline]] const Number *gathered(const int *from)
-    {
-      of.gather(from, first, end, scratch.of);
-      of.gather(from, second, second_end, scratch.of);
-      return scratch.of;
-    }
-  };
+  template <int MOST> class SlotColumns;
 
   // of the particles of a block, or of a slot's neighbors
   static Pack component(const Number *at, int c) { return load(at + c * NEXT); }
@@ -242,43 +197,9 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     load_own(i, c, own);
     difference(own, j, c, out);
   }
-  // positions of particles, from which those of neighbors are so far apart.  Of a particle itself: in a
-  // sweep's loop the compiler would read it again for every neighbor
-  struct Places {
-    Place x[D];
-    const Ruler ruler;
-    [[gnu::always_inline]] Places(const ColumnSweeps &s, const Number *i, int c) : ruler(s.ruler)
-    {
-      each_index<D>([&](auto a) {
-        x[a] = Ruler::place(i + (c + a) * NEXT);
-      });
-    }
-    [[gnu::always_inline]] void apart(const Number *j, int c, Pack *out) const
-    {
-      each_index<D>([&](auto a) {
-        out[a] = ruler.apart(x[a], Ruler::place(j + (c + a) * NEXT));
-      });
-    }
-  };
-  // the same with velocities
-  struct Motion : Places {
-    Pack v[D];
-    [[gnu::always_inline]] Motion(const ColumnSweeps &s, const Number *i) : Places(s, i, X)
-    {
-      each_index<D>([&](auto a) {
-        v[a] = component(i, V + a);
-      });
-    }
-    [[gnu::always_inline]] Parts from(const Number *j) const
-    {
-      Parts d;
-      this->apart(j, X, d.x);
-      each_index<D>([&](auto a) {
-        d.v[a] = v[a] - component(j, V + a);
-      });
-      return d;
-    }
-  };
+  // of a particle, for a sweep over its neighbors: sph_solid_column_views.h
+  struct Places;
+  struct Motion;
   Parts motion(const Number *i, const Number *j) const { return Motion(*this, i).from(j); }
   // of two columns
   double apart(int column, int other, int component) const
@@ -346,28 +267,7 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     return sum;
   }
 
-  // viscosity.  For the switch of "front": the velocity gradient of a particle predicts the jump
-  // x_ij.D x_ij of a pair.  Weights -F_ij V_j/x_ij^2 with g_ij = F_ij x_ij, given without 1/x_ij^2
-  struct Jumps {
-    const Number *const i;
-    const Motion own;
-    const Pack least;    // particles may meet
-    Pack rest2 = 0.0, linear2 = 0.0;
-    Jumps(const ColumnSweeps &s, const Number *at, Pack h) :
-        i(at), own(s, at), least(MU_EPSILON * h * h)
-    {
-    }
-    void add(const Number *j, int at_rate, Pack weight)
-    {
-      const Parts d = own.from(j);
-      const Pack li = stretching(i, at_rate, d.x), lj = stretching(j, at_rate, d.x);
-      const Pack rest = d.v_dot_x() - 0.5 * (li + lj);
-      const Pack w = weight / (d.x_dot_x() + least);
-      rest2 += w * rest * rest;
-      linear2 += 0.5 * w * (li * li + lj * lj);
-    }
-    Pack unresolved() const { return unresolved_share(rest2, linear2); }
-  };
+  struct Jumps;
   void find_lonely();
   Pack whole_pull(const Number *i, const Number *j, int last, Pack pull) const;
   // the part of a pair's viscous force that is heat as it is: a compatible correction heats in a
@@ -377,78 +277,8 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
     return all ? pull : whole_pull(i, j, last, pull);
   }
-  // what becomes heat of the correction's forces on nearest particles while they move by u, which is in V:
-  // compatible: -1/4 sum w_ij (u_i - u_j).(da_i - da_j) for symmetric weights;
-  // shepard weights leak momentum, there the loss of kinetic energy of the
-  // particle itself becomes heat (exact in total, not Galilean invariant);
-  // printed: the correction term of eq. 30, 1/2 sum w_ij (u_i - u_j).da_j;
-  // safe: half the work of each central pair force, none of it negative for u = v.
-  // Of a pair -4/m_i of it, without w_ij.  EVENLY: for heats_evenly()
-  template <bool EVENLY> struct CorrectionHeat {
-    const bool safe;
-    const int at;
-    const Places place;
-    Pack own_moved[D], own_force[D], minus_moved, minus_force;
-    CorrectionHeat(const ColumnSweeps &s, const Number *i, int at_da) :
-        safe(!EVENLY && s.safe()), at(at_da), place(s, i, X)
-    {
-      const bool printed = s.opt.heating == Heating::PRINTED && !safe,
-                 alone = s.opt.weights == Weights::SHEPARD && !printed;    // its own loss
-      for (int a = 0; a < D; a++) {
-        own_moved[a] = (alone ? 2.0 : 1.0) * component(i, V + a);
-        own_force[a] = (printed ? 0.0 : 1.0) * component(i, at + a);
-      }
-      minus_moved = alone ? 0.0 : -1.0;
-      minus_force = printed ? -2.0 : -1.0;
-    }
-    Pack of(const Number *j) const
-    {
-      Pack sum = 0.0;
-      if (safe) {
-        Pack force[D];
-        place.apart(j, X, force);
-        for (int a = 0; a < D; a++)
-          sum = multiply_add(own_moved[a] - component(j, V + a), force[a], sum);
-        return sum;
-      }
-      each_index<D>([&](auto a) {
-        const Pack moved = component(j, V + a), force = component(j, at + a);
-        if (EVENLY)
-          sum = multiply_add(own_moved[a] - moved, own_force[a] - force, sum);
-        else
-          sum = multiply_add(multiply_add(minus_moved, moved, own_moved[a]),
-                             multiply_add(minus_force, force, own_force[a]), sum);
-      });
-      return sum;
-    }
-  };
-  // what the correction's force of a pair is along: with weights safe the distance, else the difference of
-  // viscous accelerations.  MAY_BE_SAFE: false where they are known to be others
-  template <bool MAY_BE_SAFE> class Along {
-   public:
-    Along(const ColumnSweeps &s, const Number *i, int at_da) :
-        safe(MAY_BE_SAFE && s.safe()), at(at_da * std::ptrdiff_t(NEXT)), place(s, i, X)
-    {
-      each_index<D>([&](auto a) {
-        own[a] = component(i + at, a);
-      });
-    }
-    [[gnu::always_inline]] void from(const Number *j, Pack *out) const
-    {
-      if (safe)
-        place.apart(j, X, out);
-      else
-        each_index<D>([&](auto a) {
-          out[a] = own[a] - component(j + at, a);
-        });
-    }
-
-   private:
-    const bool safe;
-    const std::ptrdiff_t at;
-    const Places place;
-    Pack own[D];
-  };
+  template <bool EVENLY> struct CorrectionHeat;
+  template <bool MAY_BE_SAFE> class Along;
   // weights safe, without the weight
   Pack safe_pull_of(const Number *i, const Number *j, int at_da) const
   {
@@ -511,241 +341,6 @@ bool ColumnSweeps<D, Precision>::ask_points_ahead(const Particles &p, int block,
 template <int D, class Precision> void ColumnSweeps<D, Precision>::repeat_last(Pack &v, int n)
 {
   v = where_lanes(first_lanes(n), v, Pack(v[n - 1]));
-}
-
-/* ----------------------------------------------------------------------
-   what is read of neighbors
-------------------------------------------------------------------------- */
-
-// LAMMPS's vectors of a part of a block; behind the last particle those of the last one again
-
-template <int D, class Precision>
-template <int part>
-void ColumnSweeps<D, Precision>::load_vectors(const Batch &batch, const double *const *of,
-                                              SPHSolid::Pack *v)
-{
-  const int *i = batch.i + part * SPHSolid::LANES;
-  if (batch.consecutive)
-    load_components<D>(of[0] + SPACE * std::ptrdiff_t(i[0]), v);
-  else
-    for (int a = 0; a < D; a++)
-      v[a] = pack_of([&](int m) {
-        return of[i[m]][a];
-      });
-}
-
-// of a block
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::load_vectors(const Batch &batch, const double *const *of, Pack *v)
-{
-  SPHSolid::Pack all[2][D];
-  each_part<Pack>([&](auto part) {
-    load_vectors<part()>(batch, of, all[part()]);
-  });
-  for (int a = 0; a < D; a++)
-    v[a] = of_parts<Pack>([&](auto part) {
-      return all[part()][a];
-    });
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::pack_vectors(int block, const Batch &batch, int component,
-                                              const double *const *of)
-{
-  Pack v[D];
-  load_vectors(batch, of, v);
-  columns.store(block * LANES, component, v, D);
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::pack_places(int block, const Batch &batch, const double *const *x)
-{
-  each_part<Pack>([&](auto part) {
-    SPHSolid::Pack of_part[D];
-    load_vectors<part()>(batch, x, of_part);
-    columns.write(block * LANES, [&](Number *to) {
-      for (int a = 0; a < D; a++)
-        ruler.store_place(to + (X + a) * NEXT + part() * SPHSolid::LANES, of_part[a]);
-    });
-  });
-}
-
-// of one column
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::set_places(int column, int component, const double *x)
-{
-  Number of_column[D];
-  for (int a = 0; a < D; a++) of_column[a] = ruler.number_of(x[a]);
-  columns.set(column, component, of_column, D);
-}
-
-// positions and velocities of ghosts and images
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::pack_ghosts(const Particles &p, const double *const *v)
-{
-  each_share(nthreads, p.nall - p.nlocal, [&](int first, int end) {
-    for (int i = p.nlocal + first; i < p.nlocal + end; i++) {
-      const int column = column_of[i];
-      if (column < 0) continue;
-      set_places(column, X, p.x[i]);
-      columns.set(column, V, v[i], D);
-    }
-  });
-  for (int k = 0; k < images.count(); k++) {
-    const int column = column_of[nparticles + k];
-    double at[D];
-    images.template position<D>(k, p.x[images.source_of(k)], at);
-    set_places(column, X, at);
-  }
-  mirror_vectors(V);
-}
-
-// of images
-
-template <int D, class Precision> void ColumnSweeps<D, Precision>::mirror_vectors(int component)
-{
-  for (int k = 0; k < images.count(); k++) {
-    double sign[3];
-    images.signs(k, sign);
-    for (int a = 0; a < D; a++) mirror_component(component + a, sign[a], k);
-  }
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::mirror_component(int component, double factor, int image)
-{
-  const int from = column_of[images.source_of(image)], to = column_of[nparticles + image];
-  columns.set(to, component, factor * columns.get(from, component));
-}
-
-// a tensor of an image is Q T Q^T with Q = diag(sign): component (a,b) times
-// both signs
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::mirror_tensor(int component, const double *sign, int image)
-{
-  for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++) mirror_component(component + D * a + b, sign[a] * sign[b], image);
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::mirror_rate(int component, const double *sign, int image)
-{
-  for (int a = 0; a < D; a++)
-    for (int b = a; b < D; b++) mirror_component(component++, sign[a] * sign[b], image);
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::store_displacement(int block, const Pack *u)
-{
-  columns.store(block * LANES, V, u, D);
-  columns.copy_to_rows(block * LANES, V, V + D);
-}
-
-template <int D, class Precision> void ColumnSweeps<D, Precision>::displace(const double *const *u)
-{
-  each_block([&](int block, const Batch &batch, Totals &) {
-    Pack of_block[D];
-    load_vectors(batch, u, of_block);
-    store_displacement(block, of_block);
-  });
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::displace(const Particles &p, const Kick &kick)
-{
-  each_block([&](int block, const Batch &batch, Totals &) {
-    Pack v[D], f[D], u[D], a = kick.a_scale / batch.load(p.mass);
-    load_vectors(batch, p.v, v);
-    load_vectors(batch, p.f, f);
-    int of_all = kick.kicked;
-    for (int m = 0; m < LANES; m++) of_all &= kick.mask[batch.i[m]];
-    if (!of_all)
-      a = pack_of<Pack>([&](int m) {
-        return kick.mask[batch.i[m]] & kick.kicked ? a[m] : 0.0;
-      });
-    for (int c = 0; c < D; c++) u[c] = kick.v_scale * v[c] + a * f[c];
-    store_displacement(block, u);
-  });
-}
-
-template <int D, class Precision> void ColumnSweeps<D, Precision>::velocity(int i, double *v) const
-{
-  const int column = column_of[i];
-  for (int a = 0; column >= 0 && a < D; a++) v[a] = columns.get(column, V + a);
-}
-
-// components of columns from[0], from[1], ... side by side
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::gather(const int *from, int first, int end, Number *to) const
-{
-  const bool rows = columns.has_rows();
-  const Number *at[LANES];
-  for (int m = 0; m < LANES; m++) at[m] = rows ? columns.row(from[m]) : columns.at(from[m]);
-  if (!rows)
-    for (int c = first; c < end; c++)
-      store(to + c * NEXT, Precision::pack_of_numbers([&](int m) {
-              return at[m][c * NEXT];
-            }));
-  else
-    for (int c = first / BLOCK * BLOCK; c < end; c += BLOCK) {
-      Pack of[BLOCK];
-      for (int m = 0; m < BLOCK; m++) of[m] = load_blocks(at + m, c);
-      transpose(of[0], of[1], of[2], of[3]);
-      for (int k = 0; k < BLOCK; k++) store(to + (c + k) * NEXT, of[k]);
-    }
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::add_forces(const Particles &p, const Batch &batch, const Pack *f)
-{
-  each_part<Pack>([&](auto part) {
-    SPHSolid::Pack of_part[D];
-    for (int a = 0; a < D; a++) of_part[a] = part_of<part()>(f[a]);
-    const int *i = batch.i + part() * SPHSolid::LANES;
-    if (batch.consecutive) return add_components<D>(p.f[0] + SPACE * std::ptrdiff_t(i[0]), of_part);
-    const int end = std::min(batch.template left<part()>(), SPHSolid::LANES);
-    for (int m = 0; m < end; m++)
-      for (int a = 0; a < D; a++) p.f[i[m]][a] += of_part[a][m];
-  });
-}
-
-/* ----------------------------------------------------------------------
-   messages: a few components each
-------------------------------------------------------------------------- */
-
-template <int D, class Precision>
-typename ColumnSweeps<D, Precision>::Part ColumnSweeps<D, Precision>::sent_with(Message what) const
-{
-  const Sent at = sent();
-  if (what == Message::STRESS) return {at.stress, at.da - at.stress};
-  if (what == Message::SWITCH) return {at.last, 1};
-  return {what == Message::VISCOUS ? at.da : V, D};
-}
-
-template <int D, class Precision> int ColumnSweeps<D, Precision>::message_size(Message what) const
-{
-  return sent_with(what).size;
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::pack(Message what, int i, double *out) const
-{
-  const int column = column_of[i];    // none of who has no material
-  const Part part = sent_with(what);
-  const Number *from = columns.at(std::max(column, 0)) + part.first * NEXT;
-  for (int c = 0; c < part.size; c++) out[c] = column < 0 ? 0.0 : from[c * NEXT];
-}
-
-template <int D, class Precision>
-void ColumnSweeps<D, Precision>::unpack(Message what, const Particles &, int i, const double *in)
-{
-  const Part part = sent_with(what);
-  if (column_of[i] >= 0) columns.set(column_of[i], part.first, in, part.size);
 }
 
 /* ----------------------------------------------------------------------

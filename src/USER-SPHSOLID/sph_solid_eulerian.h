@@ -31,7 +31,8 @@
 #ifndef LMP_SPH_SOLID_EULERIAN_H
 #define LMP_SPH_SOLID_EULERIAN_H
 
-#include "sph_solid_column_sweeps.h"
+#include "sph_solid_column_rows.h"
+#include "sph_solid_column_views.h"
 #include "sph_solid_slots.h"
 
 namespace {

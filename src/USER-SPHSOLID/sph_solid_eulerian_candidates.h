@@ -377,10 +377,9 @@ template <int D, class Precision> double EulerianSweeps<D, Precision>::memory_us
     return of.empty() ? 0 : n * LANES * sizeof(of[0]);
   };
   const std::size_t ints = candidates.first.capacity() + candidates.gathered.capacity() +
-      4 * pairs.first.capacity() + own.capacity() + column_of.capacity() + 2 * ranked.capacity() +
-      image_first.capacity() + image_j.capacity() + candidates.further.capacity() + near +
-      all * (LANES + 1);
-  return columns.memory_usage() +
+      4 * pairs.first.capacity() + 2 * ranked.capacity() + image_first.capacity() +
+      image_j.capacity() + candidates.further.capacity() + near + all * (LANES + 1);
+  return Base::memory_of_columns() +
       static_cast<double>(ints * sizeof(int) + (candidates.lanes.capacity() + all) * sizeof(Bits) +
                           candidates.mirrored.capacity() + used(pairs.near_kernel, near) +
                           used(pairs.near_pull, near) + used(pairs.pull, all) +

@@ -48,7 +48,8 @@
 #ifndef LMP_SPH_SOLID_LAGRANGIAN_H
 #define LMP_SPH_SOLID_LAGRANGIAN_H
 
-#include "sph_solid_column_sweeps.h"
+#include "sph_solid_column_rows.h"
+#include "sph_solid_column_views.h"
 #include "sph_solid_slots.h"
 
 #include <mutex>
@@ -295,6 +296,11 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   }
   bool keeps_central() const { return opt.hourglass > 0.0 || keeps_pairs(); }
   Pack power_of(const Number *force, int block) const;
+  struct Powers {
+    Pack viscous = 0.0, corrected = 0.0, hourglass = 0.0;
+    Pack all() const { return viscous + corrected + hourglass; }
+  };
+  Powers powers_of_forces(int block) const;
   Pack power_of_forces(int block, const Batch &, Pack mass, Totals &) const;
   Pack power_of_stress(int block, const Tensors &displaced) const;
   void save_power();

@@ -50,23 +50,34 @@ LagrangianSweeps<D, Precision>::power_of(const Number *force, int block) const
 // -F_i.u_i of these forces
 
 template <int D, class Precision>
+typename LagrangianSweeps<D, Precision>::Powers
+LagrangianSweeps<D, Precision>::powers_of_forces(int block) const
+{
+  Powers of;
+  if (opt.hourglass > 0.0) of.hourglass -= power_of(accounts.at(block, accounts.hourglass), block);
+  if (!needs_correction()) {
+    if (keeps_pairs()) of.viscous -= power_of(accounts.at(block, Accounts::VISCOUS), block);
+  } else {
+    if (keeps_pairs()) of.viscous -= power_of(&heated_force[vector_at(block)], block);
+    if (Base::heats_evenly())
+      of.corrected -= power_of(accounts.at(block, Accounts::VISCOUS), block);
+  }
+  return of;
+}
+
+// the same, entered into the totals
+
+template <int D, class Precision>
 typename LagrangianSweeps<D, Precision>::Pack
 LagrangianSweeps<D, Precision>::power_of_forces(int block, const Batch &batch, Pack mass,
                                                 Totals &totals) const
 {
-  Pack viscous = 0.0, corrected = 0.0, hourglass = 0.0;
-  if (opt.hourglass > 0.0) hourglass -= power_of(accounts.at(block, accounts.hourglass), block);
-  if (!needs_correction()) {
-    if (keeps_pairs()) viscous -= power_of(accounts.at(block, Accounts::VISCOUS), block);
-  } else {
-    if (keeps_pairs()) viscous -= power_of(&heated_force[vector_at(block)], block);
-    if (Base::heats_evenly()) corrected -= power_of(accounts.at(block, Accounts::VISCOUS), block);
-  }
-  totals.viscous += Base::sum_of_first(viscous + corrected, batch.n);
+  const Powers of = powers_of_forces(block);
+  totals.viscous += Base::sum_of_first(of.viscous + of.corrected, batch.n);
   totals.standard +=
-      Base::sum_of_first(viscous + standard_power(columns.at(block * LANES), mass), batch.n);
-  totals.hourglass += Base::sum_of_first(hourglass, batch.n);
-  return viscous + corrected + hourglass;
+      Base::sum_of_first(of.viscous + standard_power(columns.at(block * LANES), mass), batch.n);
+  totals.hourglass += Base::sum_of_first(of.hourglass, batch.n);
+  return of.all();
 }
 
 // of sum V0_j (u_j - u_i) (x) g; of each pair the half with sigma_i
@@ -85,9 +96,8 @@ template <int D, class Precision> void LagrangianSweeps<D, Precision>::save_powe
   if (!velocities_known || !opt.energy || !dissipates()) return;
   velocities_known = false;
   power_then.resize(end_of_own);
-  each_block([&](int block, const Batch &batch, Totals &) {
-    Totals nobody;
-    store(&power_then[block * LANES], -power_of_forces(block, batch, Pack(0.0), nobody));
+  each_block([&](int block, const Batch &, Totals &) {
+    store(&power_then[block * LANES], -powers_of_forces(block).all());
   });
 }
 

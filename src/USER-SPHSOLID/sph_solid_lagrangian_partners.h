@@ -514,11 +514,11 @@ template <int D, class Precision> int LagrangianSweeps<D, Precision>::neighbor_c
 
 template <int D, class Precision> double LagrangianSweeps<D, Precision>::memory_usage() const
 {
-  double bytes = columns.memory_usage() + slots.memory_usage() + near_weight.memory_usage();
+  double bytes = Base::memory_of_columns() + slots.memory_usage() + near_weight.memory_usage();
   for (const Numbers *rows : {&B, &gradient_sum, &accounts.numbers, &heated_force, &power_then,
                               &central_virial, &near_pull, &mu_max})
     bytes += static_cast<double>(rows->capacity() * sizeof(Number));
-  return bytes + static_cast<double>((own.capacity() + column_of.capacity()) * sizeof(int));
+  return bytes;
 }
 
 }    // namespace

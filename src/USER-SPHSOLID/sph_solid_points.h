@@ -16,7 +16,7 @@
    constitutive update of some at a time, the energy ledger, the time step.
 
    A frame fills in which particles are pairs (sph_solid_eulerian.h,
-   sph_solid_lagrangian.h); how they lie in memory is the same (sph_solid_column_sweeps.h).
+   sph_solid_lagrangian.h); how they lie in memory is the same (sph_solid_column_*.h).
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_SPH_SOLID_POINTS_H
