@@ -30,7 +30,7 @@ from variants import BLOCKS, measured_on
 
 HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = ("dim", "particles", "key", "ranks", "threads", "h", "neighbors", "repetitions", "ns", "ns_least", "ns_most",
-           "elapsed_ns", "peak_bytes")
+           "elapsed_ns", "peak_bytes", "ns_small")
 ROOM = {2: 2.0e3, 3: 4.5e3}    # bytes a particle may need, to see whether a block fits into the memory
 
 
@@ -54,6 +54,14 @@ def possible(variant, each):
     return ""
 
 
+def beside(variant, each):
+    """Cost of the smallest block at the same time, for the growth of costs with size: None of variants that are not run at all sizes."""
+    small = next(b for b in BLOCKS if b.dim == each.dim)
+    if each == small or not variant.large or variant.ranks * variant.threads > 1:
+        return None
+    return block.run(variant, small).nanoseconds
+
+
 def measure(each, variants, repeat):
     """The rows of one block."""
     left_out = {v.key: possible(v, each) for v in variants}
@@ -61,25 +69,29 @@ def measure(each, variants, repeat):
         if why:
             say(f"{each.dim}D, {each.count} particles, {key}: left out, {why}")
     variants = [v for v in variants if not left_out[v.key]]
-    costs = {v.key: [] for v in variants}
+    costs, small = {v.key: [] for v in variants}, {v.key: [] for v in variants}
     for k, variant in turns(variants, repeat):
         try:
+            before = beside(variant, each)
             costs[variant.key].append(block.run(variant, each))
+            if before:
+                small[variant.key].append((before, beside(variant, each)))
         except RuntimeError as error:
             say(f"{variant.key} does not run: {str(error).splitlines()[-1]}")
             continue
         got = costs[variant.key][-1]
         say(f"{each.dim}D, {each.count} particles, {k + 1}/{repeat}, {variant.title}: {got.nanoseconds:.0f} ns")
-    return [row(each, v, costs[v.key]) for v in variants if costs[v.key]]
+    return [row(each, v, costs[v.key], small[v.key]) for v in variants if costs[v.key]]
 
 
-def row(each, variant, costs):
+def row(each, variant, costs, small):
     times = [c.nanoseconds for c in costs]
     return {"dim": each.dim, "particles": each.count, "key": variant.key, "ranks": variant.ranks, "threads": variant.threads,
             "h": variant.h, "neighbors": f"{costs[-1].neighbors:.1f}", "repetitions": len(costs),
             "ns": f"{statistics.median(times):.1f}", "ns_least": f"{min(times):.1f}", "ns_most": f"{max(times):.1f}",
             "elapsed_ns": f"{statistics.median(c.elapsed for c in costs):.1f}",
-            "peak_bytes": "" if math.isnan(costs[-1].peak) else f"{max(c.peak for c in costs):.0f}"}
+            "peak_bytes": "" if math.isnan(costs[-1].peak) else f"{max(c.peak for c in costs):.0f}",
+            "ns_small": f"{statistics.median(sum(pair) / 2 for pair in small):.1f}" if small else ""}
 
 
 def throughput(level, repeat):

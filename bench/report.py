@@ -61,16 +61,20 @@ def times(rows):
     return "\n".join(text)
 
 
+def growth(row, smallest):
+    return f"{float(row['ns']):.0f} ({float(row['ns']) / float(row.get('ns_small') or smallest['ns']):.2f})"
+
+
 def scaling(rows):
-    """ns per particle and step over the size, and over the smallest one."""
+    """ns per particle and step over the size, and over the smallest one right before and after (where results have none: over
+    that of the same run)."""
     table = []
     for dim in (2, 3):
         for v in VARIANTS:
             found = [(n, of(rows, v.key, dim, n)) for n in sizes(rows, dim)]
-            found = [(n, float(r["ns"])) for n, r in found if r]
+            found = [r for _, r in found if r]
             if len(found) > 1:
-                table.append([f"{dim}D, {v.title}, h {v.h:g}"] +
-                             [f"{ns:.0f} ({ns / found[0][1]:.2f})" for _, ns in found])
+                table.append([f"{dim}D, {v.title}, h {v.h:g}"] + [growth(r, found[0]) for r in found])
     most = max((len(r) for r in table), default=1)
     heads = ("10^4", "10^5", "10^6", "4*10^6")[:most - 1]
     return markdown(("particles",) + heads, [r + [""] * (most - len(r)) for r in table])
