@@ -171,7 +171,13 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     if (asks_ahead) prefetch(array + batch.i[0] + 2 * LANES, LANES);
   }
 
+  // what a sweep sees of columns: sph_solid_column_views.h
   template <int MOST> class SlotColumns;
+  struct Places;
+  struct Motion;
+  struct Jumps;
+  template <bool EVENLY> struct CorrectionHeat;
+  template <bool MAY_BE_SAFE> class Along;
 
   // of the particles of a block, or of a slot's neighbors
   static Pack component(const Number *at, int c) { return load(at + c * NEXT); }
@@ -197,9 +203,6 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     load_own(i, c, own);
     difference(own, j, c, out);
   }
-  // of a particle, for a sweep over its neighbors: sph_solid_column_views.h
-  struct Places;
-  struct Motion;
   Parts motion(const Number *i, const Number *j) const { return Motion(*this, i).from(j); }
   // of two columns
   double apart(int column, int other, int component) const
@@ -267,7 +270,6 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     return sum;
   }
 
-  struct Jumps;
   void find_lonely();
   Pack whole_pull(const Number *i, const Number *j, int last, Pack pull) const;
   // the part of a pair's viscous force that is heat as it is: a compatible correction heats in a
@@ -277,8 +279,6 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     const bool all = !needs_correction() || opt.heating == Heating::PRINTED;
     return all ? pull : whole_pull(i, j, last, pull);
   }
-  template <bool EVENLY> struct CorrectionHeat;
-  template <bool MAY_BE_SAFE> class Along;
   // weights safe, without the weight
   Pack safe_pull_of(const Number *i, const Number *j, int at_da) const
   {
