@@ -145,11 +145,6 @@ template <int D, class Precision> class ColumnSweeps : public PointSweeps<D> {
     return columns.memory_usage() + static_cast<double>(ints * sizeof(int));
   }
 
-  // room for so many components of gathered neighbors, as far apart as in columns.  No more than
-  // there can be: a stack is touched page by page before it is used
-  template <int MOST> struct Scratch {
-    alignas(64) Number of[(MOST + BLOCK) * NEXT];
-  };
   void gather(const int *from, int first, int end, Number *to) const;
   template <int... C>
   static void prefetch_components(const Number *at, std::integer_sequence<int, C...>)

@@ -64,7 +64,9 @@ class ColumnSweeps<D, Precision>::SlotColumns {
   const int *const gathered_columns;
   const Number *const i;
   const int first, end, second, second_end;
-  Scratch<MOST> scratch;
+  // of gathered neighbors, as far apart as in columns.  No more than there can be: a stack is
+  // touched page by page before it is used
+  alignas(64) Number scratch[(MOST + BLOCK) * NEXT];
 
   const int *of_gathered(int further) const
   {
@@ -73,9 +75,9 @@ class ColumnSweeps<D, Precision>::SlotColumns {
   // not inlined: a loop over other slots has registers for what it needs then
   [[gnu::noinline]] const Number *gathered(const int *from)
   {
-    of.gather(from, first, end, scratch.of);
-    of.gather(from, second, second_end, scratch.of);
-    return scratch.of;
+    of.gather(from, first, end, scratch);
+    of.gather(from, second, second_end, scratch);
+    return scratch;
   }
 };
 

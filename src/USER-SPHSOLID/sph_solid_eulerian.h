@@ -76,15 +76,15 @@ template <int D, class Precision> class EulerianSweeps : public ColumnSweeps<D, 
  private:
   using Base = ColumnSweeps<D, Precision>;
   using typename Base::Batch, typename Base::Motion, typename Base::Number, typename Base::Numbers,
-      typename Base::Pack, typename Base::Parts, typename Base::Place, typename Base::Ruler,
-      typename Base::Sent, typename Base::Single, typename Base::Tensors, typename Base::Totals;
+      typename Base::Pack, typename Base::Parts, typename Base::Place, typename Base::Sent,
+      typename Base::Single, typename Base::Tensors, typename Base::Totals;
   using Bits = typename Precision::Bits;
   using Base::asks_ahead, Base::asks_for_block, Base::blocks, Base::column_of, Base::columns,
       Base::component, Base::each_block, Base::end_of_columns, Base::end_of_own, Base::image_first,
       Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely,
-      Base::motion, Base::needs_correction, Base::NEXT, Base::nparticles, Base::nthreads, Base::opt,
-      Base::own, Base::particles_of, Base::safe, Base::source_of, Base::SYMMETRIC, Base::tensor,
-      Base::types, Base::unit_factor, Base::V, Base::X;
+      Base::needs_correction, Base::nparticles, Base::nthreads, Base::opt, Base::own,
+      Base::particles_of, Base::safe, Base::source_of, Base::SYMMETRIC, Base::tensor, Base::types,
+      Base::unit_factor, Base::V, Base::X;
 
   // components of a column behind positions and velocities: V/h0^(D+2), this step's; mass; what
   // ghosts are sent, from the constitutive update: T and K, where the force on i from j is

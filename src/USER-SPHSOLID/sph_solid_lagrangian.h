@@ -95,13 +95,12 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
  private:
   using Base = ColumnSweeps<D, Precision>;
   using Base::asks_ahead, Base::asks_for_block, Base::blocks, Base::column_of, Base::columns,
-      Base::component, Base::difference, Base::each_block, Base::end_of_columns, Base::end_of_own,
-      Base::image_first, Base::image_j, Base::images, Base::keeps_pairs, Base::LANES, Base::load,
-      Base::lonely, Base::mirror_vectors, Base::motion, Base::needs_correction, Base::NEXT,
-      Base::nparticles, Base::nthreads, Base::opt, Base::own, Base::particles_of, Base::repeat_last,
-      Base::ruler, Base::safe, Base::source_of, Base::standard_power, Base::store_tensor,
-      Base::stretching, Base::SYMMETRIC, Base::tensor, Base::types, Base::unit_factor, Base::V,
-      Base::with_rows, Base::X;
+      Base::component, Base::each_block, Base::end_of_own, Base::image_first, Base::image_j,
+      Base::images, Base::keeps_pairs, Base::LANES, Base::load, Base::lonely, Base::mirror_vectors,
+      Base::needs_correction, Base::nparticles, Base::nthreads, Base::opt, Base::own,
+      Base::particles_of, Base::repeat_last, Base::ruler, Base::safe, Base::source_of,
+      Base::standard_power, Base::store_tensor, Base::stretching, Base::SYMMETRIC, Base::tensor,
+      Base::types, Base::unit_factor, Base::V, Base::with_rows, Base::X;
   using typename Base::Batch, typename Base::Motion, typename Base::Number, typename Base::Numbers,
       typename Base::Pack, typename Base::Parts, typename Base::Places, typename Base::Sent,
       typename Base::Tensors, typename Base::Totals;
@@ -242,12 +241,11 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
     return (1.0 / unit_factor) * component(columns.at(block * LANES), WEIGHT);
   }
   Pack factor(int slot, const Number *j) const { return factor(slots.constants.of(slot), j); }
-  Number *correction_of(int block) { return &B[block * std::size_t(SYMMETRIC) * LANES]; }
-  const Number *correction_of(int block) const
-  {
-    return &B[block * std::size_t(SYMMETRIC) * LANES];
-  }
+  // vectors and symmetric tensors of own particles
   static std::size_t vector_at(int block) { return block * std::size_t(D) * LANES; }
+  static std::size_t symmetric_at(int block) { return block * std::size_t(SYMMETRIC) * LANES; }
+  Number *correction_of(int block) { return &B[symmetric_at(block)]; }
+  const Number *correction_of(int block) const { return &B[symmetric_at(block)]; }
   static void store_vector(Number *to, const Pack *v)
   {
     each_index<D>([&](auto a) {
@@ -268,10 +266,16 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
     prefetch_list(slots.foremost.data() + first, n);
   }
   void ask_for_force(const Particles &, int block, const Batch &) const;
-  Tensors load_correction(int block) const
+  Tensors load_correction(int block) const { return load_symmetric(correction_of(block)); }
+  // what lies on and above the diagonal
+  static void store_symmetric(Number *to, const Tensors &t)
+  {
+    for (int a = 0; a < D; a++)
+      for (int b = a; b < D; b++, to += LANES) store(to, t(a, b));
+  }
+  static Tensors load_symmetric(const Number *at)
   {
     Tensors t;
-    const Number *at = correction_of(block);
     for (int a = 0; a < D; a++)
       for (int b = a; b < D; b++, at += LANES) t(a, b) = t(b, a) = load(at);
     return t;
@@ -289,10 +293,11 @@ template <int D, class Precision> class LagrangianSweeps : public ColumnSweeps<D
   }
   bool dissipates() const { return opt.hourglass > 0.0 || opt.viscosity != Viscosity::NONE; }
   // pull x (x) x of a pair
-  [[gnu::always_inline]] static void add_central(Pack *sum, Pack pull, const Pack *x)
+  [[gnu::always_inline]] static void add_central(TensorSums<D, Pack> &sum, Pack pull, const Pack *x)
   {
-    for (int a = 0; a < D; a++)
-      for (int b = a; b < D; b++, sum++) *sum += pull * x[a] * x[b];
+    Pack f[D];
+    for (int a = 0; a < D; a++) f[a] = pull * x[a];
+    sum.add_symmetric(x, f);
   }
   bool keeps_central() const { return opt.hourglass > 0.0 || keeps_pairs(); }
   Pack power_of(const Number *force, int block) const;

@@ -225,15 +225,8 @@ LagrangianSweeps<D, Precision>::block_virial(const Particles &p, int block,
     }
     sum.add(f, d.x);
   }
-  Tensors all = sum.tensor();
-  if (!keeps_central()) return all;
-  const Number *central = &central_virial[block * SYMMETRIC * std::size_t(LANES)];
-  for (int a = 0; a < D; a++)
-    for (int b = a; b < D; b++, central += LANES) {
-      all(a, b) += load(central);
-      if (b != a) all(b, a) += load(central);
-    }
-  return all;
+  if (!keeps_central()) return sum.tensor();
+  return sum.tensor() + load_symmetric(&central_virial[symmetric_at(block)]);
 }
 
 }    // namespace

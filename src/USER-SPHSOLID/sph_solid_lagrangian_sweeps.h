@@ -201,8 +201,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   const Number *i = columns.at(block * LANES);
   const int first = slots.first[block], end = slots.first[block + 1];
   const auto constants = slots.constants.from(first);
-  Pack virial[SYMMETRIC], *const of_virial = this->wants_virial ? virial : nullptr;
-  for (Pack &sum : virial) sum = 0.0;
+  TensorSums<D, Pack> virial, *const of_virial = this->wants_virial ? &virial : nullptr;
   const bool keep = keeps_pairs(), correct = needs_correction(), alone = correct && lonely;
   const double minus_a1 = -0.25 * opt.a1, a2 = 0.5 * opt.a2;    // of the sums of both particles
   const int rho0 = at_rho;
@@ -258,7 +257,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
       const Pack q = weight * (impedance * rest * per_r2);
       hourglass_power = multiply_add(q, vr, hourglass_power);
       d.add_to(damped, q);
-      if (of_virial) add_central(of_virial, damping_unit * q, d.x);
+      if (of_virial) add_central(*of_virial, damping_unit * q, d.x);
     }
     if (VISCOUS) {
       const Pack on = needs_switch(FORM) ? 0.5 * (component(i, LAST) + component(j, LAST)) : one;
@@ -275,7 +274,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
       const Pack q = Pi * (dot<D>(X, X) * (weight * per_r2));    // V0_j Pi G
       if (keep) {
         viscous_power = multiply_add(Base::heated_pull(i, j, LAST, q), vr, viscous_power);
-        if (of_virial) add_central(of_virial, -Base::whole_pull(i, j, LAST, q), d.x);
+        if (of_virial) add_central(*of_virial, -Base::whole_pull(i, j, LAST, q), d.x);
       }
       if (alone) {
         const Pack stays = Base::whole_pull(i, j, LAST, q);
@@ -311,8 +310,7 @@ void LagrangianSweeps<D, Precision>::force_block(const Particles &p, int block, 
   columns.copy_to_rows(block * LANES, at_da, columns.components());
   if (this->limits_step) store(&mu_max[block * LANES], -mu_least);
   if ((VISCOUS || HOURGLASS) && of_virial && keeps_central())
-    for (int k = 0; k < SYMMETRIC; k++)
-      store(&central_virial[(block * SYMMETRIC + k) * std::size_t(LANES)], V0 * virial[k]);
+    store_symmetric(&central_virial[symmetric_at(block)], V0 * virial.symmetric_tensor());
   if (!(VISCOUS || HOURGLASS) || !opt.energy) return;
 
   // for heat, see sph_solid_lagrangian_heat.h
